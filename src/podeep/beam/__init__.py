@@ -1,0 +1,1 @@
+"""Beam elements: shape functions, sections and the operators they integrate to."""

@@ -1,0 +1,275 @@
+"""What is analysed, as plain data in SI units: z up from sea level, depths positive down.
+
+A scene knows nothing of decks, meshes or databases. Impossible data raise `InvalidData`;
+data that are legal but risky are the business of `checks`.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from math import pi
+from types import MappingProxyType
+from typing import Literal
+
+from .errors import InvalidData
+
+Dof = Literal["X", "Y", "Z", "RX", "RY", "RZ"]
+DOFS: tuple[Dof, ...] = ("X", "Y", "Z", "RX", "RY", "RZ")
+Interpolation = Literal["PARAMETERS", "LOADS"]
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A stretch of tube between two elevations; overrides replace what the geometry gives."""
+
+    top: float
+    bottom: float
+    outer_diameter: float
+    wall_thickness: float
+    youngs_modulus: float
+    density: float
+    poisson_ratio: float = 0.3
+    bending_stiffness_override: float | None = None
+    axial_stiffness_override: float | None = None
+    shear_stiffness_override: float | None = None
+    mass_override: float | None = None
+    added_mass_coefficient: float = 0.0
+    fill_density: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not self.top > self.bottom:
+            raise InvalidData(
+                f"the section's top {self.top:g} m is not above its bottom {self.bottom:g} m",
+                "give ZTOP above ZBOT, both as elevations from sea level",
+                "ZBOT",
+            )
+        if not 0.0 < self.wall_thickness <= 0.5 * self.outer_diameter:
+            raise InvalidData(
+                f"a wall of {self.wall_thickness:g} m does not fit in an outer diameter of "
+                f"{self.outer_diameter:g} m",
+                "the wall lies between 0 and half the outer diameter (a solid bar)",
+                "WT",
+            )
+
+    @property
+    def inner_diameter(self) -> float:
+        return self.outer_diameter - 2.0 * self.wall_thickness
+
+    @property
+    def area(self) -> float:
+        return pi / 4.0 * (self.outer_diameter**2 - self.inner_diameter**2)
+
+    @property
+    def second_moment(self) -> float:
+        return pi / 64.0 * (self.outer_diameter**4 - self.inner_diameter**4)
+
+    @property
+    def bending_stiffness(self) -> float:
+        """EI, N m2."""
+        override = self.bending_stiffness_override
+        return self.youngs_modulus * self.second_moment if override is None else override
+
+    @property
+    def axial_stiffness(self) -> float:
+        """EA, N."""
+        override = self.axial_stiffness_override
+        return self.youngs_modulus * self.area if override is None else override
+
+    @property
+    def torsional_stiffness(self) -> float:
+        """GJ of the circular tube, N m2."""
+        shear_modulus = self.youngs_modulus / (2.0 * (1.0 + self.poisson_ratio))
+        return shear_modulus * 2.0 * self.second_moment
+
+    @property
+    def mass(self) -> float:
+        """Mass of the tube alone, kg/m."""
+        return self.density * self.area if self.mass_override is None else self.mass_override
+
+
+@dataclass(frozen=True, slots=True)
+class Tube:
+    """A casing: sections from top to tip without gaps."""
+
+    id: int
+    name: str
+    sections: tuple[Section, ...]
+
+    def __post_init__(self) -> None:
+        if not self.sections:
+            raise InvalidData(f"tube {self.id} has no section", "give at least one row", "IGR")
+        for above, below in zip(self.sections, self.sections[1:], strict=False):
+            if abs(above.bottom - below.top) > 1e-9:
+                raise InvalidData(
+                    f"a section starts at {below.top:g} m, the one above it ends at "
+                    f"{above.bottom:g} m",
+                    "sections follow each other from top to bottom without gap or overlap",
+                    "ZTOP",
+                )
+
+    @property
+    def top(self) -> float:
+        return self.sections[0].top
+
+    @property
+    def tip(self) -> float:
+        return self.sections[-1].bottom
+
+
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """A p-y or t-z curve as it was given.
+
+    `law` names the law ("soft_clay", "sand", "user", ...), `parameters` are by the law's own
+    argument names and may vary over depth, `options` are what must agree for two curves to be of
+    one type. `rows` are the user's points; `rows_in_diameters` tells the unit of their
+    displacements.
+    """
+
+    id: int
+    law: str
+    parameters: Mapping[str, float]
+    options: Mapping[str, str | float | bool] = field(default_factory=lambda: MappingProxyType({}))
+    rows: tuple[tuple[float, ...], ...] = ()
+    rows_in_diameters: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Ground:
+    """The soil profile: curves at depths below the mudline, positive down, from 0.
+
+    A depth given twice is a jump; curve id 0 is no reaction. `friction_stiffness` is the slope
+    of unit friction against displacement, Pa/m. `dynamic_rule` is the original's IDRE.
+    """
+
+    depths: tuple[float, ...]
+    lateral: tuple[int, ...]
+    axial: tuple[int, ...]
+    lateral_curves: Mapping[int, Curve]
+    axial_curves: Mapping[int, Curve]
+    friction_stiffness: float = 1e8
+    dynamic_rule: int = 0
+    interpolation: Interpolation = "PARAMETERS"
+
+    def __post_init__(self) -> None:
+        if not self.depths or self.depths[0] != 0.0:
+            raise InvalidData("the first soil depth is not 0", "Z_1 is the mudline: 0", "Z_1")
+        for above, below in zip(self.depths, self.depths[1:], strict=False):
+            if below < above:
+                raise InvalidData(
+                    f"soil depth {-below:g} m lies above the one before it, {-above:g} m",
+                    "depths are 0, then negative, and never rise",
+                    "Z",
+                )
+        for at in set(self.depths):
+            if self.depths.count(at) > 2:
+                raise InvalidData(
+                    f"soil depth {-at:g} m is given {self.depths.count(at)} times",
+                    "a jump between two layers is one depth given twice",
+                    "Z",
+                )
+        if not len(self.depths) == len(self.lateral) == len(self.axial):
+            raise InvalidData(
+                f"{len(self.depths)} soil depths, {len(self.lateral)} p-y and "
+                f"{len(self.axial)} t-z curves",
+                "give one pair of curves for each depth",
+                "IY",
+            )
+
+
+@dataclass(frozen=True, slots=True)
+class Foundation:
+    """Tubes in the soil, the outermost first, and the elevation of the mudline around them."""
+
+    id: int
+    tubes: tuple[int, ...]
+    mudline: float
+
+    @property
+    def name(self) -> str:
+        return f"F{self.id}"
+
+
+@dataclass(frozen=True, slots=True)
+class Support:
+    """Degrees of freedom held at an elevation of a tube."""
+
+    tube: int
+    elevation: float
+    dofs: tuple[Dof, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Spring:
+    """A linear spring to ground, N/m or N m/rad."""
+
+    tube: int
+    elevation: float
+    dof: Dof
+    stiffness: float
+
+
+@dataclass(frozen=True, slots=True)
+class Load:
+    """A point load: global force (N) and moment (N m), z up, moments by the right hand."""
+
+    name: str
+    tube: int
+    elevation: float
+    force: tuple[float, float, float]
+    moment: tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Displacement:
+    """An imposed displacement (m) or rotation (rad) of one degree of freedom."""
+
+    name: str
+    tube: int
+    elevation: float
+    dof: Dof
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class Newton:
+    """Limits of the iteration: largest out-of-balance and largest increment, as ratios."""
+
+    iterations: int = 60
+    force: float = 0.01
+    moment: float = 0.01
+    translation: float = 0.01
+    rotation: float = 0.01
+
+
+@dataclass(frozen=True, slots=True)
+class Steps:
+    """Quasi-static steps: a factor for each named load in each step; step 0 is no load."""
+
+    names: tuple[str, ...]
+    factors: tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Numerics:
+    """What the user asks of the discretisation; None leaves the choice to the program."""
+
+    accuracy: float = 1e-3
+    elements: int | None = None
+    degree: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """Everything that an analysis needs to know."""
+
+    title: str
+    tubes: Mapping[int, Tube]
+    foundations: tuple[Foundation, ...]
+    ground: Ground
+    supports: tuple[Support, ...] = ()
+    springs: tuple[Spring, ...] = ()
+    loads: tuple[Load, ...] = ()
+    displacements: tuple[Displacement, ...] = ()
+    steps: Steps = Steps((), ())
+    newton: Newton = Newton()
+    numerics: Numerics = Numerics()

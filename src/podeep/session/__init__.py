@@ -1,0 +1,1 @@
+"""Podeep's dialogue: questions as data, consoles that ask them, the flow that knows neither."""

@@ -1,0 +1,1 @@
+"""Equilibrium: Newton with a line search, load steps, error estimates."""
