@@ -1,0 +1,36 @@
+"""What a soil reaction law is."""
+
+from abc import ABC, abstractmethod
+from typing import ClassVar
+
+from ..arrays import Array
+
+
+class Law(ABC):
+    """Reaction against displacement at n points at once, path independent.
+
+    A law is a frozen dataclass whose fields are its parameters, each a float or an array of
+    shape (n,). Displacements `u` have shape (n,) or (..., n) in metres; forces come back in the
+    same shape, N/m along a tube or N at a tip, positive against a positive displacement.
+    The reaction is exact: no sampling, no smoothing but what the law's page states.
+    """
+
+    #: force(-u) == -force(u)
+    odd: ClassVar[bool] = True
+
+    @abstractmethod
+    def evaluate(self, u: Array) -> tuple[Array, Array]:
+        """Force and its exact derivative at `u`; at a kink the derivative away from zero."""
+
+    @property
+    @abstractmethod
+    def capacity(self) -> Array:
+        """Bound of |force| at each point, shape (n,); inf where a law has none."""
+
+    def force(self, u: Array) -> Array:
+        """Reaction at `u`."""
+        return self.evaluate(u)[0]
+
+    def stiffness(self, u: Array) -> Array:
+        """Derivative of the reaction at `u`."""
+        return self.evaluate(u)[1]
