@@ -1,0 +1,43 @@
+"""Symmetric matrices in LAPACK's lower band storage, and products that land straight in it."""
+
+import numpy as np
+from scipy import sparse
+
+from ..arrays import Array, Index
+
+
+def band_place(rows: Index, columns: Index, width: int) -> Index:
+    """Position of the entry (row, column), row >= column, in Fortran-order band storage.
+
+    `width` is the number of stored diagonals; the storage has shape (width, n).
+    """
+    return (rows - columns) + columns * width
+
+
+def pairs(dofs: Index) -> tuple[Index, Index, Index, Index]:
+    """Lower-triangle pairs of the unknowns of each element.
+
+    dofs: shape (elements, local). Returns the local indices i, j of each pair and the global rows
+    and columns, shape (elements, pairs), row >= column.
+    """
+    i, j = np.tril_indices(dofs.shape[1])
+    first, second = dofs[:, i], dofs[:, j]
+    return i, j, np.maximum(first, second), np.minimum(first, second)
+
+
+def bandwidth(dofs: Index) -> int:
+    """Stored diagonals of the matrix that these elements fill."""
+    return int((dofs.max(axis=1) - dofs.min(axis=1)).max()) + 1
+
+
+def scatter(place: Index, values: Array, size: int) -> Array:
+    """Sum values at their places in a flat storage of the given size."""
+    return np.bincount(place.ravel(), weights=values.ravel(), minlength=size)
+
+
+def scatter_matrix(place: Index, values: Array, source: Index, shape: tuple[int, int]) -> (
+    sparse.csr_array
+):
+    """Sparse matrix that spreads one number a point over the band; duplicates are summed."""
+    entries = sparse.coo_array((values.ravel(), (place.ravel(), source.ravel())), shape=shape)
+    return sparse.csr_array(entries)

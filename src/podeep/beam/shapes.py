@@ -1,0 +1,95 @@
+"""Hierarchical shape functions on the reference element, xi from -1 (top) to +1 (bottom).
+
+Two families, each of any degree: `deflection`, with continuous slope (C1), and `stretch`,
+continuous only (C0). Both add to the lowest element (cubic Hermite, linear) internal functions
+whose highest derivative in the strain energy is a Legendre polynomial. They vanish at the ends
+with all that is shared there, so neighbours couple through nodal values and slopes alone, steps
+of stiffness and point loads at a node cost no order, and the stiffness matrix of a uniform
+element is diagonal in them. Szabo & Babuska, Finite Element Analysis (1991), section 3.1.
+
+Order of the functions of an element: those of its top node, the internal ones by rising degree,
+those of its bottom node. A node of `deflection` has value and slope d/dxi, one of `stretch` its
+value.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.polynomial import Legendre, Polynomial
+
+from ..arrays import Array
+
+_LOWEST = {1: (3, 2), 0: (1, 1)}  # continuity -> degree of the lowest element, nodal functions
+
+
+def lowest_degree(continuity: int) -> int:
+    """Degree of the element without internal functions: 3 for C1, 1 for C0."""
+    return _LOWEST[continuity][0]
+
+
+def nodal_functions(continuity: int) -> int:
+    """Functions that belong to one node: value (and slope)."""
+    return _LOWEST[continuity][1]
+
+
+@lru_cache(maxsize=32)
+def _polynomials(continuity: int, degree: int, derivative: int) -> tuple[Polynomial, ...]:
+    nodal = (
+        [
+            Polynomial([0.5, -0.75, 0.0, 0.25]),
+            Polynomial([0.25, -0.25, -0.25, 0.25]),
+            Polynomial([0.5, 0.75, 0.0, -0.25]),
+            Polynomial([-0.25, -0.25, 0.25, 0.25]),
+        ]
+        if continuity == 1
+        else [Polynomial([0.5, -0.5]), Polynomial([0.5, 0.5])]
+    )
+    internal = []
+    for order in range(lowest_degree(continuity) + 1, degree + 1):
+        strain = Legendre.basis(order - continuity - 1) * np.sqrt(order - continuity - 0.5)
+        function = strain.integ(continuity + 1, lbnd=-1)
+        internal.append(function.convert(kind=Polynomial))
+    half = nodal_functions(continuity)
+    functions = [*nodal[:half], *internal, *nodal[half:]]
+    return tuple(f.deriv(derivative) if derivative else f for f in functions)
+
+
+def shape_functions(xi: Array, continuity: int, degree: int, derivative: int = 0) -> Array:
+    """Values of all functions of an element, or of a derivative d/dxi of them.
+
+    xi: shape (n,). Returns shape (n, functions). `continuity` is 1 for deflection, 0 for stretch.
+    """
+    return np.stack([f(xi) for f in _polynomials(continuity, degree, derivative)], axis=-1)
+
+
+@lru_cache(maxsize=16)
+def gauss_points(count: int) -> tuple[Array, Array]:
+    """Gauss-Legendre points on (-1, 1) and their weights, each of shape (count,)."""
+    xi, weight = np.polynomial.legendre.leggauss(count)
+    return xi, weight
+
+
+@lru_cache(maxsize=16)
+def _lagrange(count: int) -> tuple[Polynomial, ...]:
+    """The Lagrange polynomials over the Gauss points."""
+    xi = gauss_points(count)[0]
+    others = [np.delete(xi, i) for i in range(count)]
+    return tuple(Polynomial.fromroots(o) / np.prod(x - o) for x, o in zip(xi, others, strict=True))
+
+
+def gauss_interpolation(xi: Array, count: int) -> Array:
+    """Matrix (n, count) from values at `count` Gauss points to their polynomial at each xi."""
+    return np.stack([basis(xi) for basis in _lagrange(count)], axis=-1)
+
+
+def gauss_integrals(xi: Array, count: int) -> tuple[Array, Array]:
+    """Integrate, from xi = -1, what is known at `count` Gauss points.
+
+    Returns two arrays of shape (n, count): times the values at the Gauss points they give the
+    first and the second integral at each xi, exact for the interpolating polynomial.
+    """
+    first, second = (
+        np.stack([basis.integ(times, lbnd=-1)(xi) for basis in _lagrange(count)], axis=-1)
+        for times in (1, 2)
+    )
+    return first, second

@@ -1,0 +1,222 @@
+"""From a foundation of the scene to its two independent problems: deflection and stretch.
+
+At small displacements the two do not touch each other, so each is a system of its own, with its
+own narrow band and its own convex energy.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Array, Index
+from ..beam.field import Field
+from ..beam.shapes import gauss_points
+from ..errors import InvalidData
+from ..scene import Dof, Foundation, Scene
+from ..soil.profile import Profile
+from .mesh import Stretch, edges, stretches
+from .needs import Needs
+from .system import Points, Spring, System
+
+# Component of the deflection that a degree of freedom moves, its derivative, and its sign there.
+_LATERAL: Mapping[Dof, tuple[int, int, float]] = {
+    "X": (0, 0, 1.0),
+    "Y": (1, 0, 1.0),
+    "RX": (1, 1, 1.0),
+    "RY": (0, 1, -1.0),
+}
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One system with its loads: columns of `forces` and `imposed` belong to the named loads.
+
+    forces, imposed: shape (names, unknowns); imposed values stand on held unknowns.
+    """
+
+    system: System
+    forces: Array
+    imposed: Array
+
+    def load(self, factors: Array) -> Array:
+        """Force vector of a step; factors has shape (names,) or (steps, names)."""
+        return np.asarray(factors @ self.forces)
+
+    def prescribed(self, factors: Array) -> Array:
+        """Values of the held unknowns in a step, zero elsewhere."""
+        return np.asarray(factors @ self.imposed)
+
+
+@dataclass(frozen=True)
+class Model:
+    """The discrete model of one foundation: lateral and axial problem on one mesh."""
+
+    foundation: Foundation
+    needs: Needs
+    pieces: tuple[Stretch, ...]
+    profile: Profile
+    lateral: Problem
+    axial: Problem
+
+    @property
+    def edges(self) -> Array:
+        return self.lateral.system.field.edges
+
+    @property
+    def elements(self) -> int:
+        return len(self.edges) - 1
+
+
+def special_depths(scene: Scene, foundation: Foundation) -> list[float]:
+    """Depths of loads, holds and springs, where an element must end."""
+    items = (*scene.supports, *scene.springs, *scene.loads, *scene.displacements)
+    return [foundation.mudline - i.elevation for i in items if i.tube == foundation.tubes[0]]
+
+
+def cut(scene: Scene, foundation: Foundation, profile: Profile) -> tuple[Stretch, ...]:
+    """The foundation's stretches of uniform section and soil layer."""
+    tube = scene.tubes[foundation.tubes[0]]
+    return stretches(tube, foundation.mudline, profile, special_depths(scene, foundation))
+
+
+def assemble(
+    scene: Scene,
+    foundation: Foundation,
+    needs: Needs,
+    profile: Profile,
+    pieces: Sequence[Stretch],
+    boundaries: Array,
+    degree: int,
+) -> Model:
+    """Build both problems on the given element boundaries with deflections of a degree."""
+    middle = 0.5 * (boundaries[:-1] + boundaries[1:])
+    piece = np.searchsorted([p.bottom for p in pieces], middle)
+    section = [pieces[i].section for i in piece]
+    bending = np.array([s.bending_stiffness for s in section])
+    stretching = np.array([s.axial_stiffness for s in section])
+    diameter = np.array([s.outer_diameter for s in section])
+    slope_length = float(np.mean(np.diff(boundaries)))
+    deflection = Field(boundaries, bending, degree, 1, slope_length)
+    stretch = Field(boundaries, stretching, degree - 1, 0)
+    wet = np.flatnonzero(middle > 0.0)
+
+    lateral = lateral_problem(scene, foundation, needs, deflection, profile, wet, diameter)
+    axial = axial_problem(scene, foundation, stretch, profile, wet, diameter)
+    return Model(foundation, needs, tuple(pieces), profile, lateral, axial)
+
+
+def quadrature(boundaries: Array, elements: Index, count: int) -> tuple[Array, Array]:
+    """Depths and weights (m) of the Gauss points of some elements, shape (elements * count,)."""
+    xi, weight = gauss_points(count)
+    half = 0.5 * np.diff(boundaries)[elements, None]
+    x = boundaries[elements, None] + half * (xi + 1.0)
+    return x.ravel(), (half * weight).ravel()
+
+
+def lateral_problem(
+    scene: Scene,
+    foundation: Foundation,
+    needs: Needs,
+    field: Field,
+    profile: Profile,
+    wet: Index,
+    diameter: Array,
+) -> Problem:
+    """Deflection on p-y reactions, in one plane or two."""
+    x, weight = quadrature(field.edges, wet, field.degree)
+    reaction = profile.lateral(x, np.repeat(diameter[wet], field.degree))
+    if needs.components == 2 and not reaction.odd:
+        raise InvalidData(
+            "a p-y curve with rows of negative displacement acts in one direction only, "
+            "but the loads or supports share no plane",
+            "give all loads of the foundation one plane, or a curve without negative rows",
+        )
+    collect = _Collector(scene, foundation, needs, field)
+    system = System(field, needs.components, [Points(x, weight, reaction)], *collect.holds())
+    return Problem(system, *collect.loads())
+
+
+def axial_problem(
+    scene: Scene,
+    foundation: Foundation,
+    field: Field,
+    profile: Profile,
+    wet: Index,
+    diameter: Array,
+) -> Problem:
+    """Stretch on t-z reactions along the shaft and Q-z at the tip."""
+    x, weight = quadrature(field.edges, wet, field.degree + 1)
+    shaft = profile.shaft(x, np.repeat(diameter[wet], field.degree + 1))
+    tip = profile.tip(float(field.edges[-1]), float(diameter[-1]))
+    points = [
+        Points(x, weight, shaft),
+        Points(field.edges[-1:], np.ones(1), tip),
+    ]
+    collect = _Collector(scene, foundation, None, field)
+    return Problem(System(field, 1, points, *collect.holds()), *collect.loads())
+
+
+class _Collector:
+    """Translates the scene's point data to unknowns of one field (axial where needs is None)."""
+
+    def __init__(
+        self, scene: Scene, foundation: Foundation, needs: Needs | None, field: Field
+    ) -> None:
+        self.scene, self.field = scene, field
+        self.mudline, self.tube = foundation.mudline, foundation.tubes[0]
+        self.axes = needs.direction if needs else ()
+        self.size = field.size * max(len(self.axes), 1)
+
+    def unknowns(self, elevation: float, dof: Dof) -> list[tuple[int, float, float]]:
+        """Unknowns that share in a degree of freedom.
+
+        Each comes with the cosine between the two and with the length by which the unknown is
+        scaled: the unknown is cosine * length * value, its force cosine / length * force.
+        """
+        node = self.field.node(self.mudline - elevation)
+        if not self.axes:
+            return [(node, -1.0, 1.0)] if dof == "Z" else []
+        if dof not in _LATERAL:
+            return []
+        component, derivative, sign = _LATERAL[dof]
+        length = self.field.slope_length if derivative else 1.0
+        return [
+            ((node + derivative) * len(self.axes) + c, sign * axis[component], length)
+            for c, axis in enumerate(self.axes)
+            if axis[component] != 0.0
+        ]
+
+    def holds(self) -> tuple[list[Spring], Index]:
+        """Springs to ground and the held unknowns."""
+        springs, held = [], set()
+        for spring in self.scene.springs:
+            if spring.tube == self.tube:
+                for unknown, cosine, length in self.unknowns(spring.elevation, spring.dof):
+                    springs.append(Spring(unknown, spring.stiffness * (cosine / length) ** 2))
+        for support in self.scene.supports:
+            if support.tube == self.tube:
+                for dof in support.dofs:
+                    held.update(u for u, *_ in self.unknowns(support.elevation, dof))
+        for d in self.scene.displacements:
+            if d.tube == self.tube:
+                held.update(u for u, *_ in self.unknowns(d.elevation, d.dof))
+        return springs, np.array(sorted(held), dtype=np.intp)
+
+    def loads(self) -> tuple[Array, Array]:
+        """Forces and imposed values of each named load, shape (names, unknowns)."""
+        names = self.scene.steps.names
+        forces = np.zeros((len(names), self.size))
+        imposed = np.zeros((len(names), self.size))
+        moved: tuple[Dof, ...] = ("X", "Y", "Z", "RX", "RY")
+        for load in self.scene.loads:
+            if load.tube == self.tube:
+                amounts = (*load.force, *load.moment[:2])
+                for dof, amount in zip(moved, amounts, strict=True):
+                    for unknown, cosine, length in self.unknowns(load.elevation, dof):
+                        forces[names.index(load.name), unknown] += amount * cosine / length
+        for d in self.scene.displacements:
+            if d.tube == self.tube:
+                for unknown, cosine, length in self.unknowns(d.elevation, d.dof):
+                    imposed[names.index(d.name), unknown] += d.value * cosine * length
+        return forces, imposed

@@ -1,0 +1,117 @@
+"""Element boundaries: where something changes, and between these as fine as the soil asks.
+
+A deflected pile lives on the length L = (4 EI / k)^(1/4), k being the soil's modulus (Hetenyi
+1946): the size of an element is a share of it. Free tube needs one element a stretch.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Array
+from ..scene import Section, Tube
+from ..soil.profile import Profile
+
+_TOUCH = 1e-6  # boundaries closer than this are one, m
+_PROBE = 0.01  # displacement at which the soil's modulus is taken, in diameters
+_SAMPLES = 16  # soil moduli taken in each stretch
+_COARSEN = 0.1  # growth of the element per characteristic length below the mudline
+
+
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """A piece of tube of one section in one soil layer, between the depths top and bottom, m."""
+
+    top: float
+    bottom: float
+    section: Section
+
+    @property
+    def embedded(self) -> bool:
+        return self.bottom > _TOUCH
+
+    @property
+    def length(self) -> float:
+        return self.bottom - self.top
+
+
+def stretches(
+    tube: Tube, mudline: float, profile: Profile, others: Iterable[float]
+) -> tuple[Stretch, ...]:
+    """Cut a tube where section or soil change and at `others` (depths of loads and holds)."""
+    top, tip = mudline - tube.top, mudline - tube.tip
+    wanted = [0.0, *profile.boundaries, *others, *(mudline - s.top for s in tube.sections)]
+    cuts = [top]
+    for x in sorted(wanted):
+        if cuts[-1] + _TOUCH < x < tip - _TOUCH:
+            cuts.append(x)
+    cuts.append(tip)
+    pieces = []
+    for a, b in zip(cuts, cuts[1:], strict=False):
+        middle = mudline - 0.5 * (a + b)
+        section = next(s for s in tube.sections if s.top >= middle >= s.bottom)
+        pieces.append(Stretch(a, b, section))
+    return tuple(pieces)
+
+
+def characteristic_lengths(stretch: Stretch, profile: Profile) -> Array:
+    """L at evenly spread points of an embedded stretch, shape (samples,), m; inf without soil."""
+    diameter = stretch.section.outer_diameter
+    x = stretch.top + stretch.length * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
+    probe = np.full(_SAMPLES, _PROBE * diameter)
+    force, _ = profile.lateral(x, np.full(_SAMPLES, diameter)).evaluate(probe)
+    modulus = np.maximum(force / probe, 0.0)
+    with np.errstate(divide="ignore"):
+        return np.asarray((4.0 * stretch.section.bending_stiffness / modulus) ** 0.25)
+
+
+def densities(pieces: Sequence[Stretch], profile: Profile) -> list[Array]:
+    """Elements per metre, up to a common factor, at the samples of each stretch."""
+    travelled, found = 0.0, []
+    for piece in pieces:
+        if not piece.embedded:
+            found.append(np.zeros(_SAMPLES))
+            continue
+        density = 1.0 / characteristic_lengths(piece, profile)
+        step = piece.length / _SAMPLES
+        gone = travelled + step * (np.cumsum(density) - 0.5 * density)
+        travelled += step * float(density.sum())
+        found.append(density / (1.0 + _COARSEN * gone))
+    return found
+
+
+def divide(piece: Stretch, density: Array, count: int) -> Array:
+    """Boundaries of `count` elements of equal share of the density, the top one included."""
+    if count == 1 or not density.any():
+        return np.linspace(piece.top, piece.bottom, count + 1)[:-1]
+    share = np.concatenate([[0.0], np.cumsum(density + 1e-3 * density.max())])
+    grid = np.linspace(piece.top, piece.bottom, len(share))
+    return np.interp(np.linspace(0.0, share[-1], count + 1)[:-1], share, grid)
+
+
+def edges(
+    pieces: Sequence[Stretch], profile: Profile, size: float, elements: int | None = None
+) -> Array:
+    """Element boundaries, rising, m.
+
+    size: length of an element in characteristic lengths. `elements`, when given, is the number of
+    elements of the whole tube instead; each stretch has at least one.
+    """
+    density = densities(pieces, profile)
+    amount = np.array([d.mean() * p.length for d, p in zip(density, pieces, strict=True)])
+    counts = np.maximum(np.ceil(amount / size - 1e-9), 1.0).astype(int)
+    if elements is not None:
+        counts = apportion(amount, max(elements, len(pieces)))
+    cut = [
+        divide(p, d, int(n)) for p, d, n in zip(pieces, density, counts, strict=True)
+    ]
+    return np.concatenate([*cut, [pieces[-1].bottom]])
+
+
+def apportion(amount: Array, total: int) -> Array:
+    """Whole numbers of at least one in the proportion of `amount` that add up to `total`."""
+    counts = np.ones(len(amount), dtype=int)
+    for _ in range(total - len(amount)):
+        counts[int(np.argmax(amount / counts))] += 1
+    return counts

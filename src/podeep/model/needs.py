@@ -1,0 +1,107 @@
+"""How much model a scene needs: each decision with its reason."""
+
+from dataclasses import dataclass
+from math import atan2, cos, degrees, hypot, pi, radians, sin
+
+from ..scene import Foundation, Scene
+
+
+@dataclass(frozen=True, slots=True)
+class Decision:
+    """One choice of model, in words for the run's report."""
+
+    choice: str
+    reason: str
+
+    def __str__(self) -> str:
+        return f"{self.choice}: {self.reason}"
+
+
+@dataclass(frozen=True, slots=True)
+class Needs:
+    """The model of one foundation.
+
+    lateral_axis: direction of the common plane of all loads, degrees from x in (-90, 90]; None
+    where they share none. components: deflections that are solved, 1 along the axis or 2.
+    """
+
+    lateral_axis: float | None
+    components: int
+    decisions: tuple[Decision, ...]
+
+    @property
+    def direction(self) -> tuple[tuple[float, float], ...]:
+        """Unit vector (x, y) of each component."""
+        if self.components == 2:
+            return ((1.0, 0.0), (0.0, 1.0))
+        assert self.lateral_axis is not None
+        angle = radians(self.lateral_axis)
+        exact = {0.0: (1.0, 0.0), 90.0: (0.0, 1.0)}
+        return (exact.get(self.lateral_axis, (cos(angle), sin(angle))),)
+
+
+def lateral_vectors(scene: Scene, foundation: Foundation) -> list[tuple[float, float]]:
+    """What drives the tube sideways, as vectors in the plane of the deflection (x, y).
+
+    A moment about y drives the deflection in x, with the sign of the slope it works on.
+    """
+    vectors = []
+    for load in scene.loads:
+        if load.tube in foundation.tubes:
+            vectors.append((load.force[0], load.force[1]))
+            vectors.append((-load.moment[1], load.moment[0]))
+    imposed: dict[tuple[str, int, float, bool], list[float]] = {}
+    for d in scene.displacements:
+        if d.tube in foundation.tubes and d.dof in ("X", "Y", "RX", "RY"):
+            rotation = d.dof.startswith("R")
+            pair = imposed.setdefault((d.name, d.tube, d.elevation, rotation), [0.0, 0.0])
+            pair[0] += {"X": d.value, "RY": -d.value}.get(d.dof, 0.0)
+            pair[1] += {"Y": d.value, "RX": d.value}.get(d.dof, 0.0)
+    vectors.extend((pair[0], pair[1]) for pair in imposed.values())
+    return [v for v in vectors if v != (0.0, 0.0)]
+
+
+def common_axis(vectors: list[tuple[float, float]]) -> float | None:
+    """Angle from x, degrees in (-90, 90], of the line that all vectors share; None if none."""
+    if not vectors:
+        return 0.0
+    first = max(vectors, key=lambda v: abs(v[0]) + abs(v[1]))
+    for v in vectors:
+        if abs(first[0] * v[1] - first[1] * v[0]) > 1e-12 * hypot(*first) * hypot(*v):
+            return None
+    angle = atan2(first[1], first[0])
+    angle -= pi * round(angle / pi - 1e-12)
+    return round(degrees(angle), 12) + 0.0
+
+
+def isotropic(scene: Scene, foundation: Foundation) -> bool:
+    """Whether everything that holds the tube sideways holds it alike in x and y."""
+    hold: dict[tuple[int, float, bool], list[float]] = {}
+
+    def add(tube: int, elevation: float, dof: str, amount: float) -> None:
+        if tube in foundation.tubes and dof in ("X", "Y", "RX", "RY"):
+            pair = hold.setdefault((tube, elevation, dof.startswith("R")), [0.0, 0.0])
+            pair[dof in ("Y", "RX")] += amount
+
+    for support in scene.supports:
+        for dof in support.dofs:
+            add(support.tube, support.elevation, dof, 1.0)
+    for spring in scene.springs:
+        add(spring.tube, spring.elevation, spring.dof, spring.stiffness)
+    for d in scene.displacements:
+        add(d.tube, d.elevation, d.dof, 1.0)
+    return all(pair[0] == pair[1] for pair in hold.values())
+
+
+def needs(scene: Scene, foundation: Foundation) -> Needs:
+    """Decide on the model of one foundation."""
+    vectors = lateral_vectors(scene, foundation)
+    axis = common_axis(vectors)
+    if axis is None:
+        return Needs(None, 2, (Decision("spatial", "the loads share no plane"),))
+    if axis in (0.0, 90.0) or isotropic(scene, foundation):
+        reason = f"all loads share the plane at {axis:g} degrees from x" if vectors else (
+            "no lateral load"
+        )
+        return Needs(axis, 1, (Decision("planar", reason),))
+    return Needs(axis, 2, (Decision("spatial", "supports or springs differ in x and y"),))

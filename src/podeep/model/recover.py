@@ -1,0 +1,71 @@
+"""Internal forces of a field from equilibrium: end forces of the elements, then the soil between.
+
+Moments and shears from the curvature of the shape functions would lose two orders; those from
+equilibrium are as exact as the displacements (and in exact balance with loads and soil).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Array, Index
+from ..beam.field import Field
+from ..beam.shapes import gauss_integrals, gauss_points, shape_functions
+
+
+@dataclass(frozen=True)
+class EndForces:
+    """What the part above exerts on the part below at the top of each element, and the soil on it.
+
+    force: shape (..., elements), N; moment: the same, N m (zero for a stretch); soil: reaction per
+    length at the Gauss points, shape (..., elements, points), N/m, zero where there is no soil.
+    """
+
+    field: Field
+    force: Array
+    moment: Array
+    soil: Array
+
+
+def end_forces(field: Field, q: Array, soil: Array, elements: Index) -> EndForces:
+    """Equilibrium of each element by virtual work.
+
+    q: unknowns, shape (..., n). soil: reaction at the Gauss points of `elements` in order, shape
+    (..., elements * points), N/m. An element's end forces follow from its nodal functions alone,
+    since the internal ones do not work on them.
+    """
+    count = soil.shape[-1] // max(len(elements), 1)
+    lead = q.shape[:-1]
+    spread = np.zeros((*lead, len(field.lengths), count))
+    spread[..., elements, :] = soil.reshape(*lead, len(elements), count)
+    rows = range(field.nodal)
+    local = field.element_stiffness[:, rows, :]
+    nodal = np.einsum("eij,...ej->...ei", local, q[..., field.dofs])
+    if count:
+        xi, weight = gauss_points(count)
+        shape = shape_functions(xi, field.continuity, field.degree)[:, rows] * weight[:, None]
+        scale = field.scale[:, rows] * (0.5 * field.lengths[:, None])
+        nodal += np.einsum("...eg,gi->...ei", spread, shape) * scale
+    moment = -nodal[..., 1] * field.slope_length if field.nodal == 2 else 0.0 * nodal[..., 0]
+    return EndForces(field, nodal[..., 0], moment, spread)
+
+
+def internal_forces(ends: EndForces, x: Array) -> tuple[Array, Array]:
+    """Force and moment of the part above on the part below at depths x, shape (..., len(x)).
+
+    The force is the shear of a deflection or the compression of a stretch. At a node both are
+    those of the element above it, at the very top those of the first element.
+    """
+    field = ends.field
+    element = field.elements(x)
+    half = 0.5 * field.lengths[element]
+    along = x - field.edges[element]
+    force = ends.force[..., element]
+    moment = ends.moment[..., element] + force * along
+    count = ends.soil.shape[-1]
+    if count:
+        first, second = gauss_integrals(along / half - 1.0, count)
+        soil = ends.soil[..., element, :]
+        force = force - half * np.einsum("...xg,xg->...x", soil, first)
+        moment = moment - half**2 * np.einsum("...xg,xg->...x", soil, second)
+    return force, moment

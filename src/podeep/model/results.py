@@ -1,0 +1,115 @@
+"""From unknowns to the quantities of the database, on any depths, for all steps at once."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..arrays import Array, Index
+from ..beam.field import Field
+from ..soil.profile import Reaction
+from .assemble import Model
+from .recover import EndForces, end_forces, internal_forces
+from .system import secant
+
+
+@dataclass(frozen=True)
+class Results:
+    """States of one model: unknowns of its two problems, shape (steps, unknowns)."""
+
+    model: Model
+    lateral: Array
+    axial: Array
+
+    @cached_property
+    def directions(self) -> Array:
+        """Unit vectors of the lateral components, shape (components, 2)."""
+        return np.array(self.model.needs.direction)
+
+    def _components(self) -> Array:
+        """Lateral unknowns by component, shape (steps, components, n)."""
+        count = self.model.needs.components
+        return np.moveaxis(self.lateral.reshape(len(self.lateral), -1, count), 2, 1)
+
+    def deflection(self, x: Array, derivative: int = 0) -> Array:
+        """Deflection (m) or slope d/dx by component, shape (steps, components, len(x))."""
+        matrix = self.model.lateral.system.field.interpolation(x, derivative)
+        return product(self._components(), matrix)
+
+    def settlement(self, x: Array, derivative: int = 0) -> Array:
+        """Axial displacement, positive down (m), or its strain d/dx, shape (steps, len(x))."""
+        return product(self.axial, self.model.axial.system.field.interpolation(x, derivative))
+
+    def diameter(self, x: Array) -> Array:
+        """Outer diameter of the tube at depths x, m; at a step of diameter that above it."""
+        bottoms = np.array([p.bottom for p in self.model.pieces[:-1]])
+        widths = np.array([p.section.outer_diameter for p in self.model.pieces])
+        return np.asarray(widths[np.searchsorted(bottoms, x, side="left")])
+
+    def lateral_reaction(self, x: Array) -> Array:
+        """Soil reaction by component at embedded depths, shape (steps, components, len(x)), N/m."""
+        return self._react(x, self.model.profile.lateral(x, self.diameter(x)))
+
+    def _react(self, x: Array, reaction: Reaction) -> Array:
+        u = self.deflection(x)
+        if self.model.needs.components == 1:
+            return reaction.evaluate(u[:, 0])[0][:, None]
+        distance = np.hypot(u[:, 0], u[:, 1])
+        force, modulus = reaction.evaluate(distance)
+        return np.asarray(secant(force, distance, modulus)[:, None] * u)
+
+    def axial_reaction(self, x: Array) -> Array:
+        """Shaft reaction at embedded depths, shape (steps, len(x)), N/m."""
+        reaction = self.model.profile.shaft(x, self.diameter(x))
+        return reaction.evaluate(self.settlement(x))[0]
+
+    def tip(self) -> tuple[Array, Array]:
+        """Axial displacement (m) and reaction (N) of the tip, each of shape (steps,)."""
+        field = self.model.axial.system.field
+        depth = field.edges[-1:]
+        u = self.settlement(depth)
+        reaction = self.model.profile.tip(float(depth[0]), float(self.diameter(depth)[0]))
+        return u[:, 0], reaction.evaluate(u)[0][:, 0]
+
+    @cached_property
+    def _lateral_ends(self) -> list[EndForces]:
+        system = self.model.lateral.system
+        wet = embedded(system.field)
+        soil = self._react(system.points[0].x, system.points[0].reaction)
+        return [
+            end_forces(system.field, q, soil[:, c], wet)
+            for c, q in enumerate(np.moveaxis(self._components(), 1, 0))
+        ]
+
+    @cached_property
+    def _axial_ends(self) -> EndForces:
+        system = self.model.axial.system
+        shaft = system.points[0]
+        soil = shaft.reaction.evaluate(self.settlement(shaft.x))[0]
+        return end_forces(system.field, self.axial, soil, embedded(system.field))
+
+    def shear_and_moment(self, x: Array) -> tuple[Array, Array]:
+        """Shear EI u''' (N) and moment EI u'' (N m) by component, (steps, components, len(x))."""
+        pairs = [internal_forces(ends, x) for ends in self._lateral_ends]
+        return np.stack([p[0] for p in pairs], axis=1), np.stack([p[1] for p in pairs], axis=1)
+
+    def compression(self, x: Array) -> Array:
+        """Normal force, positive in compression, shape (steps, len(x)), N."""
+        return internal_forces(self._axial_ends, x)[0]
+
+    def global_vector(self, components: Array) -> tuple[Array, Array]:
+        """x and y parts of a lateral quantity given by component, shape (steps, n) each."""
+        vector = np.einsum("scn,cd->dsn", components, self.directions)
+        return vector[0], vector[1]
+
+
+def embedded(field: Field) -> Index:
+    """Elements below the mudline."""
+    return np.flatnonzero(field.edges[1:] > 1e-6)
+
+
+def product(unknowns: Array, matrix: object) -> Array:
+    """Apply an interpolation matrix to the last axis of stacked unknowns."""
+    flat = unknowns.reshape(-1, unknowns.shape[-1])
+    return np.asarray((matrix @ flat.T).T).reshape(*unknowns.shape[:-1], -1)
+

@@ -1,0 +1,211 @@
+"""The discrete equilibrium of one field on nonlinear reactions, and its tangent in band storage.
+
+    K q + B^T w p(B q) + springs q = f
+
+q are the unknowns, B interpolates the field at the Gauss points, w are their weights and p the
+soil's reaction. A deflection may have two components: then q interleaves them and the reaction is
+a vector along the displacement, with the secant p/r across it and the tangent p' along it.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import sparse
+from scipy.linalg import lapack
+
+from ..arrays import Array, Index
+from ..beam.band import band_place, bandwidth, pairs, scatter, scatter_matrix
+from ..beam.field import Field
+from ..soil.profile import Reaction
+
+_DENSE = 40_000  # entries below which a dense product beats a sparse one (call overhead)
+
+
+@dataclass(frozen=True)
+class Points:
+    """Where a reaction acts on a field: depths x (m), weights (m; 1 for a tip), and the law."""
+
+    x: Array
+    weight: Array
+    reaction: Reaction
+
+
+@dataclass(frozen=True)
+class Spring:
+    """A linear spring to ground at one unknown, N/m in the field's scaling."""
+
+    dof: int
+    stiffness: float
+
+
+class System:
+    """Equations of one field; `internal` at a state comes before `solve` with its tangent."""
+
+    def __init__(
+        self,
+        field: Field,
+        components: int,
+        points: Sequence[Points],
+        springs: Sequence[Spring],
+        held: Index,
+    ) -> None:
+        self.field, self.components, self.points = field, components, tuple(points)
+        self.size = field.size * components
+        self.held = held
+        cuts = np.cumsum([0, *(len(p.x) for p in points)])
+        self._slices = [slice(a, b) for a, b in zip(cuts[:-1], cuts[1:], strict=True)]
+        x = np.concatenate([p.x for p in points]) if points else np.zeros(0)
+        weight = np.concatenate([p.weight for p in points]) if points else np.zeros(0)
+        self.weight = weight
+        shape = field.interpolation(x)
+        self._build_tangent(shape, springs)
+        weighted = sparse.csr_array((shape * weight[:, None]).T)
+        small = shape.shape[0] * shape.shape[1] <= _DENSE
+        self._shape = shape.toarray() if small else shape
+        self._weighted = weighted.toarray() if small else weighted
+
+    def _build_tangent(self, shape: sparse.csr_array, springs: Sequence[Spring]) -> None:
+        field, m = self.field, self.components
+        interleaved = field.dofs[:, :, None] * m + np.arange(m)
+        every = interleaved.reshape(len(field.dofs), -1)
+        self.width = bandwidth(every)
+        storage = self.width * self.size
+        free = np.ones(self.size, dtype=bool)
+        free[self.held] = False
+
+        i, j, rows, columns = pairs(field.dofs)
+        entries = field.element_stiffness[:, i, j]
+        linear = np.zeros(storage)
+        for c in range(m):
+            place = band_place(rows * m + c, columns * m + c, self.width)
+            linear += scatter(place, entries, storage)
+        for spring in springs:
+            linear[spring.dof * self.width] += spring.stiffness
+        self._stiffness = self._from_band(linear)
+        self.diagonal = linear[:: self.width].copy()
+        keep = self._kept(free)
+        linear *= keep
+        held_place = np.asarray(self.held) * self.width
+        linear[held_place] = 1.0
+        self._linear = linear
+        self._spread = self._spreading(shape, keep, storage)
+
+    def _from_band(self, band: Array) -> sparse.csr_array:
+        columns, diagonals = np.divmod(np.flatnonzero(band), self.width)
+        rows, values = columns + diagonals, band[band != 0.0]
+        shape = (self.size, self.size)
+        lower = sparse.coo_array((values, (rows, columns)), shape=shape)
+        strict = sparse.coo_array(
+            (values * (rows != columns), (columns, rows)), shape=shape
+        )
+        return sparse.csr_array(lower + strict)
+
+    def _kept(self, free: Array) -> Array:
+        """1 where row and column of a stored entry are both free, 0 elsewhere."""
+        column = np.repeat(np.arange(self.size), self.width)
+        row = column + np.tile(np.arange(self.width), self.size)
+        inside = row < self.size
+        return np.asarray(inside & free[column] & free[np.minimum(row, self.size - 1)], dtype=float)
+
+    def _spreading(self, shape: sparse.csr_array, keep: Array, storage: int) -> sparse.csr_array:
+        """Matrix from the moduli at the points to the band they add to."""
+        m, count = self.components, shape.shape[0]
+        local = self.field.local
+        dofs = shape.indices.reshape(count, local).astype(np.intp)
+        values = shape.data.reshape(count, local)
+        i, j = np.tril_indices(local)
+        product = values[:, i] * values[:, j] * self.weight[:, None]
+        source = np.broadcast_to(np.arange(count)[:, None], product.shape)
+        places, entries, sources = [], [], []
+        for c in range(m):  # direct terms: component c with itself
+            places.append(band_place(dofs[:, i] * m + c, dofs[:, j] * m + c, self.width))
+            entries.append(product)
+            sources.append(source + c * count)
+        if m == 2:  # cross terms: component 1 of i with component 0 of j, and the reverse
+            first, second = np.meshgrid(np.arange(local), np.arange(local), indexing="ij")
+            full = values[:, first.ravel()] * values[:, second.ravel()] * self.weight[:, None]
+            one, zero = dofs[:, first.ravel()] * 2 + 1, dofs[:, second.ravel()] * 2
+            places.append(band_place(np.maximum(one, zero), np.minimum(one, zero), self.width))
+            entries.append(full)
+            sources.append(np.broadcast_to(np.arange(count)[:, None] + 2 * count, full.shape))
+        place = np.concatenate([p.ravel() for p in places])
+        entry = np.concatenate([e.ravel() for e in entries]) * keep[place]
+        kinds = 1 if m == 1 else 3
+        return scatter_matrix(
+            place, entry, np.concatenate([s.ravel() for s in sources]), (storage, kinds * count)
+        )
+
+    def displacement(self, q: Array) -> Array:
+        """The field at the Gauss points, shape (points, components)."""
+        return np.asarray(self._shape @ q.reshape(-1, self.components))
+
+    def react(self, u: Array) -> tuple[Array, Array]:
+        """Reaction and modulus at signed displacements or distances u, shape (..., points)."""
+        if len(self.points) == 1:
+            return self.points[0].reaction.evaluate(u)
+        force, modulus = np.empty_like(u), np.empty_like(u)
+        for at, point in zip(self._slices, self.points, strict=True):
+            force[..., at], modulus[..., at] = point.reaction.evaluate(u[..., at])
+        return force, modulus
+
+    def internal(self, q: Array) -> Array:
+        """Internal forces at q; what the tangent needs there is kept for `solve`."""
+        u = self.displacement(q)
+        if self.components == 1:
+            distance = u[:, 0]
+            force, modulus = self.react(distance)
+            soil = self._weighted @ force
+        else:
+            distance = np.hypot(u[:, 0], u[:, 1])
+            force, modulus = self.react(distance)
+            soil = (self._weighted @ (secant(force, distance, modulus)[:, None] * u)).ravel()
+        self._state = (u, distance, force, modulus)
+        return np.asarray(self._stiffness @ q + soil)
+
+    def solve(self, right: Array) -> Array | None:
+        """Solve with the tangent at the last `internal`; None for a mechanism.
+
+        Where the tangent is not positive definite (a softening law), its negative moduli are
+        first taken as zero, then all moduli as secants: the energy still falls along the answer,
+        and the residual that decides on equilibrium stays the exact one.
+        """
+        _, distance, force, modulus = self._state
+        x = self._solve(modulus, right)
+        if x is None:
+            x = self._solve(np.maximum(modulus, 0.0), right)
+        if x is None:
+            x = self._solve(secant(force, distance, modulus), right)
+        return x
+
+    def stable(self) -> bool:
+        """Whether the tangent at the last `internal` is positive definite."""
+        return self._solve(self._state[3], np.zeros(self.size)) is not None
+
+    def _solve(self, modulus: Array, right: Array) -> Array | None:
+        if self.components == 2:
+            modulus = self._vector_moduli(modulus)
+        band = self._spread @ modulus
+        band += self._linear
+        _, x, info = lapack.dpbsv(
+            band.reshape((self.width, self.size), order="F"), right, lower=1, overwrite_ab=1
+        )
+        return x if info == 0 else None
+
+    def _vector_moduli(self, along: Array) -> Array:
+        """xx, yy and xy moduli, one after the other, of a reaction along the displacement."""
+        u, distance, force, modulus = self._state
+        across = secant(force, distance, modulus)
+        direction = np.divide(u, distance[:, None], out=np.zeros_like(u), where=u != 0.0)
+        more = (along - across)[:, None] * direction
+        count = len(distance)
+        moduli = np.empty(3 * count)
+        moduli[:count] = across + more[:, 0] * direction[:, 0]
+        moduli[count : 2 * count] = across + more[:, 1] * direction[:, 1]
+        moduli[2 * count :] = more[:, 0] * direction[:, 1]
+        return moduli
+
+
+def secant(force: Array, u: Array, modulus: Array) -> Array:
+    """force / u, with the exact limit at u = 0, where it is the modulus."""
+    return np.divide(force, u, out=modulus.copy(), where=u != 0.0)

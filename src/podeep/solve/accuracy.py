@@ -1,0 +1,136 @@
+"""Error estimates from equilibrium in richer elements, and refinement where they are large.
+
+The same mesh with one internal function and one Gauss point more an element contains the solved
+state. Equilibrium there is a step or two away and differs by what the coarser elements could not
+follow, at the nodes included: that difference is the estimate. Where to refine is told by the soil
+force that the Gauss points of an element do not resolve.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Array
+from ..beam.field import Field
+from ..model.assemble import Model, Problem
+from ..beam.shapes import gauss_interpolation, gauss_points
+from ..model.results import Results, embedded
+from .newton import Limits, newton
+from .statics import State
+
+_LIMITS = Limits(residual=1e-7)
+_REFINE = 0.2  # elements with at least this share of the largest unresolved force are halved
+
+
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """Estimated errors of a problem relative to the largest value in each step, shape (steps,).
+
+    displacement and moment (or normal force): largest change anywhere; reaction: change of the
+    largest value, since pointwise it means nothing where a cube root crosses zero. unresolved: soil
+    force that each embedded element does not resolve in each step, shape (steps, elements), N.
+    """
+
+    displacement: Array
+    reaction: Array
+    moment: Array
+    unresolved: Array
+
+    @property
+    def worst(self) -> Array:
+        """Largest relative error of each step, shape (steps,)."""
+        return np.max([self.displacement, self.reaction, self.moment], axis=0)
+
+
+def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
+    """The same state in elements of a higher degree: the added internal unknowns are zero."""
+    rows = np.zeros((fine.size, components))
+    given = q.reshape(-1, components)
+    head = coarse.local - coarse.nodal
+    rows[fine.dofs[:, :head]] = given[coarse.dofs[:, :head]]
+    rows[fine.dofs[:, -fine.nodal :]] = given[coarse.dofs[:, -coarse.nodal :]]
+    return rows.ravel()
+
+
+def _corrected(
+    coarse: Problem, fine: Problem, states: Sequence[Array], factors: Array
+) -> tuple[Array, Array]:
+    """States prolonged to the fine problem, and its own equilibria near them."""
+    field, components = coarse.system.field, fine.system.components
+    before = [prolong(q, field, fine.system.field, components) for q in states]
+    after = [
+        newton(fine.system, q, fine.load(factor), _LIMITS).q
+        for q, factor in zip(before, factors, strict=True)
+    ]
+    return np.array(before), np.array(after)
+
+
+def _unresolved(field: Field, coarse: Array, fine: Array) -> Array:
+    """Force between the polynomial through the coarse Gauss points and the reaction, by element.
+
+    coarse, fine: reaction at the coarse and the fine Gauss points of the embedded elements in one
+    state, shapes (steps, ..., elements * count) and (steps, ..., elements * (count + 1)).
+    """
+    lengths = field.lengths[embedded(field)]
+    elements = len(lengths)
+    known = coarse.reshape(len(coarse), -1, elements, coarse.shape[-1] // elements)
+    true = fine.reshape(len(fine), -1, elements, fine.shape[-1] // elements)
+    xi, weight = gauss_points(true.shape[-1])
+    error = np.abs(known @ gauss_interpolation(xi, known.shape[-1]).T - true)
+    return np.asarray((error @ weight).sum(axis=1) * 0.5 * lengths)
+
+
+def _change(new: Array, old: Array) -> Array:
+    """Largest change over the largest value, for each step; 0 where there is nothing."""
+    return _ratio(_largest(new - old), _largest(new))
+
+
+def _change_of_largest(new: Array, old: Array) -> Array:
+    return _ratio(np.abs(_largest(new) - _largest(old)), _largest(new))
+
+
+def _largest(values: Array) -> Array:
+    return np.abs(values).reshape(len(values), -1).max(axis=1, initial=0.0)
+
+
+def _ratio(change: Array, size: Array) -> Array:
+    return np.divide(change, size, out=np.zeros(len(size)), where=size > 0.0)
+
+
+def estimate(model: Model, richer: Model, states: Sequence[State]) -> tuple[Estimate, Estimate]:
+    """Estimate the discretisation errors of `states` of `model`, lateral and axial."""
+    factors = np.array([s.factors for s in states])
+    lateral = _corrected(model.lateral, richer.lateral, [s.lateral for s in states], factors)
+    axial = _corrected(model.axial, richer.axial, [s.axial for s in states], factors)
+    old = Results(richer, lateral[0], axial[0])
+    new = Results(richer, lateral[1], axial[1])
+    x, shaft = (model.lateral.system.points[0].x, model.axial.system.points[0].x)
+    fine_x, fine_shaft = (richer.lateral.system.points[0].x, richer.axial.system.points[0].x)
+    every = np.sort(np.concatenate([richer.edges, fine_x]))
+    pressed, held = old.lateral_reaction(fine_x), old.axial_reaction(fine_shaft)
+    field = model.lateral.system.field
+    return (
+        Estimate(
+            _change(new.deflection(every), old.deflection(every)),
+            _change_of_largest(new.lateral_reaction(fine_x), pressed),
+            _change(new.shear_and_moment(every)[1], old.shear_and_moment(every)[1]),
+            _unresolved(field, old.lateral_reaction(x), pressed),
+        ),
+        Estimate(
+            _change(new.settlement(every), old.settlement(every)),
+            _change_of_largest(new.axial_reaction(fine_shaft), held),
+            _change(new.compression(every), old.compression(every)),
+            _unresolved(field, old.axial_reaction(shaft), held),
+        ),
+    )
+
+
+def refine(
+    boundaries: Array, field: Field, estimates: Sequence[Estimate], accuracy: float
+) -> Array:
+    """Halve the elements that resolve least in the steps that are not accurate enough."""
+    poor = np.concatenate([e.unresolved[e.worst > accuracy] for e in estimates])
+    split = (poor >= _REFINE * poor.max(axis=1, keepdims=True)).any(axis=0)
+    middle = 0.5 * (boundaries[:-1] + boundaries[1:])[embedded(field)][split]
+    return np.sort(np.concatenate([boundaries, middle]))

@@ -1,0 +1,91 @@
+"""A foundation from scene to solved states: model, steps, error estimate, refinement."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Array
+from ..model.assemble import Model, assemble, cut
+from ..model.mesh import edges
+from ..model.needs import needs
+from ..model.results import Results
+from ..scene import Foundation, Scene
+from ..soil.profile import Profile
+from .accuracy import Estimate, estimate, refine
+from .newton import Limits
+from .statics import Failure, NoEquilibrium, State, steps
+
+DEGREE = 5  # of the deflection in an element, unless the scene says otherwise
+_SIZE = {3: 0.35, 5: 0.9, 7: 1.4}  # first element length, in characteristic lengths
+_ROUNDS = 8  # of refinement
+_MOST_ELEMENTS = 2000
+
+
+@dataclass(frozen=True)
+class Solved:
+    """What came of one foundation; `failure` tells why the last steps are missing."""
+
+    model: Model
+    states: tuple[State, ...]
+    estimates: tuple[Estimate, Estimate]  # lateral, axial
+    failure: Failure | None
+
+    @property
+    def results(self) -> Results:
+        """All steps at once."""
+        return Results(
+            self.model,
+            np.array([s.lateral for s in self.states]),
+            np.array([s.axial for s in self.states]),
+        )
+
+
+def limits(scene: Scene) -> Limits:
+    """Iteration limits: what the accuracy needs; *NEWTONSTAT can only tighten them."""
+    newton = scene.newton
+    own = min(1e-3 * scene.numerics.accuracy, 1e-6)
+    return Limits(
+        residual=max(min(own, newton.force, newton.moment), 1e-13),
+        increment=min(newton.translation, newton.rotation),
+        iterations=newton.iterations,
+    )
+
+
+def solve(scene: Scene, foundation: Foundation) -> Solved:
+    """Solve all steps of one foundation to the accuracy asked, or as far as there is equilibrium.
+
+    The mesh starts from the soil's characteristic length and is refined until the estimated error
+    of displacement, reaction and moment is within the accuracy; a number of elements given by the
+    scene is taken as it is.
+    """
+    degree = scene.numerics.degree or DEGREE
+    profile = Profile(scene.ground)
+    pieces = cut(scene, foundation, profile)
+    wanted = needs(scene, foundation)
+    boundaries = edges(pieces, profile, _SIZE[degree], scene.numerics.elements)
+    factors = np.array(scene.steps.factors).reshape(-1, len(scene.steps.names))
+
+    def build(at: Array, order: int) -> Model:
+        return assemble(scene, foundation, wanted, profile, pieces, at, order)
+
+    for round_ in range(_ROUNDS + 1):
+        model = build(boundaries, degree)
+        states, failure = run(model, factors, limits(scene))
+        found = estimate(model, build(boundaries, degree + 1), states)
+        enough = all(e.worst.max() <= scene.numerics.accuracy for e in found)
+        last = round_ == _ROUNDS or 2 * model.elements > _MOST_ELEMENTS
+        if enough or last or scene.numerics.elements is not None:
+            break
+        boundaries = refine(boundaries, model.lateral.system.field, found, scene.numerics.accuracy)
+    return Solved(model, tuple(states), found, failure)
+
+
+def run(model: Model, factors: Array, limit: Limits) -> tuple[list[State], Failure | None]:
+    """All states that can be found, and why they end before the last step, if they do."""
+    states: list[State] = []
+    try:
+        for state in steps(model, factors, limit):
+            states.append(state)  # noqa: PERF402 - keeps what came before a failure
+    except NoEquilibrium as stop:
+        return states, stop.failure
+    return states, None
