@@ -36,7 +36,7 @@ def alpha_friction(undrained_shear_strength: Values, effective_overburden: Value
     """
     su = np.asarray(undrained_shear_strength, dtype=float)
     mean = np.sqrt(su * effective_overburden)  # geometric mean of su and s'v
-    return np.minimum(su, 0.5 * np.maximum(mean, np.sqrt(su * mean)))
+    return np.asarray(np.minimum(su, 0.5 * np.maximum(mean, np.sqrt(su * mean))))
 
 
 def overburden_friction(
@@ -65,10 +65,21 @@ def overburden_bearing(
     return np.minimum(np.multiply(bearing_factor, effective_overburden), end_bearing_limit)
 
 
-def _check_shape(shape: str) -> None:
+def _check_shape(shape: str, initial_stiffness: Values) -> None:
     if shape not in _SHAPES:
         raise InvalidData(
             f"there is no shape {shape} of t-z", f"give one of {', '.join(_SHAPES)}", "SHAPE"
+        )
+    _check_positive("slope", "Pa/m", initial_stiffness, "IKTSO")
+
+
+def _check_positive(name: str, unit: str, values: Values, field: str) -> None:
+    least = float(np.min(values, initial=np.inf))
+    if not least > 0.0:
+        raise InvalidData(
+            f"the {name} {least:g} {unit} of t-z is not positive",
+            "give a positive value, or leave it out for the default",
+            field,
         )
 
 
@@ -101,7 +112,7 @@ class Shaft(Law):
     api_is_2geo: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
-        _check_shape(self.shape)
+        _check_shape(self.shape, self.initial_stiffness)
         if self.residual is not None and not self._softens:
             raise InvalidData(
                 f"the t-z shape {self.shape} has no residual in this soil, but "
@@ -169,6 +180,10 @@ class CohesionlessShaft(Shaft):
     friction_limit: Values = np.inf
     api_is_2geo: ClassVar[bool] = False
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        _check_positive("limit of friction", "Pa", self.friction_limit, "F5")
+
     @property
     def peak_friction(self) -> Array:
         return overburden_friction(
@@ -212,7 +227,7 @@ class Tip(Law):
     shape: str = "EP"
 
     def __post_init__(self) -> None:
-        _check_shape(self.shape)
+        _check_shape(self.shape, self.initial_stiffness)
 
     @property
     @abstractmethod
@@ -257,6 +272,10 @@ class CohesionlessTip(Tip):
     effective_overburden: Values
     bearing_factor: Values
     end_bearing_limit: Values = np.inf
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        _check_positive("limit of end bearing", "Pa", self.end_bearing_limit, "F6")
 
     @property
     def peak_bearing(self) -> Array:

@@ -6,6 +6,7 @@ One mechanism serves them all. What differs is where the points come from and th
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import ClassVar, TypeAlias
 
 import numpy as np
@@ -73,7 +74,7 @@ class Polyline:
     def capacity(self) -> Array:
         """Largest |reaction| at each point, shape (n,)."""
         shape = np.broadcast_shapes(self.values.shape, self.scale.shape)
-        return np.abs(np.broadcast_to(self.values, shape)).max(axis=0)
+        return np.asarray(np.abs(np.broadcast_to(self.values, shape)).max(axis=0))
 
     def evaluate(self, u: Array) -> tuple[Array, Array]:
         """Reaction and derivative, as `Law.evaluate`."""
@@ -147,7 +148,7 @@ def sorted_points(rows: Points) -> list[tuple[float, float]]:
     Raises InvalidData for a row that pushes instead of resisting, and for two reactions at one y.
     """
     points = sorted({(0.0, 0.0), *((y + 0.0, p + 0.0) for p, y in rows)})
-    for (y, p), (above, q) in zip(points, points[1:], strict=False):
+    for (y, p), (above, q) in pairwise(points):
         if y == above:
             raise InvalidData(
                 f"the curve has two reactions, {p:g} and {q:g} Pa, at {y:g}",
@@ -162,3 +163,34 @@ def sorted_points(rows: Points) -> list[tuple[float, float]]:
                 "P",
             )
     return points
+
+
+def user_law(
+    rows: Sequence[tuple[float, ...]],
+    force_scale: Values,
+    displacement_scale: Values,
+    multiplier: Values = 1.0,
+    compression_only: bool = False,
+) -> UserCurve | None:
+    """The law of rows (P, y), odd unless a y is negative; None where they are all zero.
+
+    The scales and the multiplier are those of `UserCurve`. Raises InvalidData as `sorted_points`,
+    and for a negative y where only compression is resisted.
+    """
+    points = tuple((p, y) for p, y in rows)
+    if not any(p for p, _ in points):
+        return None
+    negative = any(y < 0.0 for _, y in points)
+    if compression_only and negative:
+        raise InvalidData(
+            f"the tip has a displacement of {min(y for _, y in points):g} in its rows",
+            "a tip resists compression alone: give its rows with yq >= 0",
+            "yq",
+        )
+    law = SignedUserCurve if compression_only or negative else UserCurve
+    return law(
+        points=points,
+        force_scale=force_scale,
+        displacement_scale=displacement_scale,
+        multiplier=multiplier,
+    )

@@ -224,8 +224,9 @@ class Sand(Law):
         peak = self._A * self.ultimate_resistance
         modulus = self.subgrade_modulus
         k = default_subgrade_modulus(self.friction_angle) if modulus is None else modulus
-        initial = self.multiplier * k * self.depth * (peak > 0.0)
-        return peak, initial, np.divide(initial, peak, out=np.zeros_like(peak), where=peak > 0.0)
+        initial = np.asarray(self.multiplier * k * self.depth * (peak > 0.0))
+        rate = np.divide(initial, peak, out=np.zeros_like(peak), where=peak > 0.0)
+        return peak, initial, rate
 
     @property
     def capacity(self) -> Array:
@@ -240,8 +241,8 @@ class Sand(Law):
         return force, initial - ratio
 
 
-def sand_coefficients(friction_angle: Values) -> tuple[Array, Array, Array]:
-    """C1, C2 and C3 of API's sand at a friction angle (rad), in its shape.
+def sand_coefficients(friction_angle: Values) -> Array:
+    """C1, C2 and C3 of API's sand at friction angles (rad) of shape (n,): shape (3, n).
 
     The closed form behind the figure of API RP 2A-WSD 6.8.6-1: the wedge of Reese, Cox and Koop,
     OTC 2080 (1974), with alpha = phi/2, beta = 45 deg + phi/2, K0 = 0.4 and Rankine's Ka.
@@ -254,7 +255,7 @@ def sand_coefficients(friction_angle: Values) -> tuple[Array, Array, Array]:
     C1 = tan_b**2 * tan_a / tan_wedge + K0 * side
     C2 = tan_b / tan_wedge - Ka
     C3 = Ka * (tan_b**8 - 1.0) + K0 * tan_phi * tan_b**4
-    return C1, C2, C3
+    return np.asarray((C1, C2, C3))
 
 
 def default_subgrade_modulus(friction_angle: Values) -> Array:

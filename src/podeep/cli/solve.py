@@ -1,0 +1,156 @@
+"""podeep-solve: check a deck, solve it, show its curves and the keywords."""
+
+import argparse
+import csv
+import json
+import sys
+from importlib import resources
+from pathlib import Path
+
+import numpy as np
+
+from .. import __version__
+from ..errors import AnalysisFailed, ExitCode, UserError
+from .common import guarded
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Entry point; returns the exit code."""
+    options = parser().parse_args(arguments)
+    return guarded("podeep-solve", lambda: int(options.command(options)))
+
+
+def parser() -> argparse.ArgumentParser:
+    """The command line, one subcommand each."""
+    top = argparse.ArgumentParser(prog="podeep-solve", description=__doc__)
+    top.add_argument("--version", action="version", version=f"podeep-solve {__version__}")
+    commands = top.add_subparsers(required=True, metavar="COMMAND")
+
+    run_ = commands.add_parser("run", help="check, solve, write the database")
+    run_.add_argument("deck", type=Path)
+    run_.add_argument("-o", dest="directory", type=Path, default=Path(), help="where to write")
+    run_.add_argument("--force", action="store_true", help="replace an existing database")
+    run_.add_argument("--accuracy", type=accuracy, help="relative accuracy, beats *ACCURACY")
+    run_.add_argument("--json", action="store_true", help="the report as JSON")
+    loud = run_.add_mutually_exclusive_group()
+    loud.add_argument("-q", dest="quiet", action="store_true", help="no report")
+    loud.add_argument("-v", dest="verbose", action="store_true", help="a line for each step")
+    run_.set_defaults(command=run)
+
+    check_ = commands.add_parser("check", help="what the deck says, in SI and in words")
+    check_.add_argument("deck", type=Path)
+    check_.set_defaults(command=check)
+
+    curves_ = commands.add_parser("curves", help="the reaction curves in force at a depth")
+    curves_.add_argument("deck", type=Path)
+    curves_.add_argument("--depth", type=float, required=True, help="m below the mudline")
+    curves_.add_argument("--at", type=numbers, help="displacements in m, separated by commas")
+    curves_.add_argument("--foundation", help="F1, F2, ...; the first one by default")
+    curves_.add_argument("--csv", action="store_true", help="full precision, for other programs")
+    curves_.set_defaults(command=curves)
+
+    keywords_ = commands.add_parser("keywords", help="the keyword table, or one keyword")
+    keywords_.add_argument("name", nargs="?")
+    keywords_.set_defaults(command=keywords)
+
+    example_ = commands.add_parser("example", help="write a sample deck, its database, answers")
+    example_.add_argument("directory", type=Path)
+    example_.add_argument("--force", action="store_true", help="replace existing files")
+    example_.set_defaults(command=example)
+    return top
+
+
+def accuracy(text: str) -> float:
+    """A relative accuracy in the bounds of *ACCURACY."""
+    value = float(text)
+    if not 1e-9 <= value <= 0.1:
+        raise argparse.ArgumentTypeError(f"{text} is outside 1e-9 to 0.1")
+    return value
+
+
+def numbers(text: str) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+    """Numbers separated by commas or blanks."""
+    values = np.array([float(part) for part in text.replace(",", " ").split()])
+    if not values.size or not np.isfinite(values).all():
+        raise argparse.ArgumentTypeError(f"'{text}' holds no finite numbers")
+    return values
+
+
+def run(options: argparse.Namespace) -> ExitCode:
+    """Solve a deck and write its static database."""
+    from ..run import run_deck
+
+    done = run_deck(
+        options.deck, options.directory, force=options.force, accuracy=options.accuracy
+    )
+    for warning in done.warnings:
+        print(f"podeep-solve: warning: {warning}", file=sys.stderr)
+    if options.json:
+        print(json.dumps(done.as_json(), indent=2))
+    elif not options.quiet:
+        print(done.text(verbose=options.verbose))
+    if done.failure:
+        where = f"what was computed is in {done.database}"
+        raise AnalysisFailed(f"{done.failure}\n  {where}" if done.database else done.failure)
+    return ExitCode.DONE
+
+
+def check(options: argparse.Namespace) -> ExitCode:
+    """Tell what a deck says."""
+    from ..deck.read import read_deck
+    from ..report import scene_report
+
+    deck = read_deck(options.deck)
+    print(scene_report(deck.scene, deck.notes))
+    return ExitCode.DONE
+
+
+def curves(options: argparse.Namespace) -> ExitCode:
+    """Show the curves in force at a depth."""
+    from ..deck.read import read_deck
+    from ..report import curves_report
+    from ..run import curves_at
+
+    scene = read_deck(options.deck).scene
+    tables = curves_at(scene, options.foundation, options.depth, options.at)
+    if options.csv:
+        writer = csv.writer(sys.stdout, lineterminator="\n")
+        writer.writerow(("curve", "displacement", "reaction"))
+        for table in tables:
+            for pair in zip(table.displacement, table.reaction, strict=True):
+                writer.writerow((table.name, *(repr(float(value)) for value in pair)))
+    else:
+        print(curves_report(tables, options.depth))
+    return ExitCode.DONE
+
+
+def keywords(options: argparse.Namespace) -> ExitCode:
+    """Show the keyword table."""
+    from ..deck.keywords import describe
+
+    print(describe(options.name))
+    return ExitCode.DONE
+
+
+def example(options: argparse.Namespace) -> ExitCode:
+    """Write the sample deck and answers, then the database that the deck makes."""
+    from ..run import run_deck
+
+    directory: Path = options.directory
+    sources = [f for f in resources.files("podeep").joinpath("example").iterdir() if f.is_file()]
+    names = sorted(f.name for f in sources)
+    taken = [name for name in names if (directory / name).exists()]
+    if taken and not options.force:
+        raise UserError(f"{directory / taken[0]} exists; --force replaces it")
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+        for source in sources:
+            (directory / source.name).write_bytes(source.read_bytes())
+    except OSError as error:
+        raise UserError(f"cannot write to {directory}: {error.strerror}") from error
+    deck = directory / next(name for name in names if name.endswith(".deck"))
+    done = run_deck(deck, directory, force=options.force, accuracy=None)
+    written = [*(directory / name for name in names), done.database]
+    print("\n".join(str(path) for path in written))
+    print(f"next: podeep {deck.with_suffix('')} --answers {deck.with_suffix('.answers')}")
+    return ExitCode.DONE

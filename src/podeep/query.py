@@ -1,0 +1,183 @@
+"""What the post-processor reads off a database: step evolution, snapshot and envelope.
+
+Between the depths of the stored grid displacements are cubic (Hermite, with the stored slopes)
+and forces are linear; in time everything is linear. A jump of soil or tube is two depths
+1e-6 m apart: nothing is interpolated across it, and the jump itself shows the upper value.
+In a spatial database the two lateral components are interpolated first; the result is their
+magnitude.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from .arrays import Array, Index
+from .database.read import FoundationData
+
+Kind = Literal["step_evolution", "snapshot", "envelope"]
+
+_JUMP = 2e-6  # a pair of depths closer than this is a jump, m
+_SLOPES = {"lateral_displacement": "lateral_slope", "axial_displacement": "axial_strain"}
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """Where a result comes from: the database and one of its foundations.
+
+    `mudline` is an elevation from sea level, m; `direction` says how a lateral value is counted.
+    """
+
+    database: str
+    database_kind: Literal["static", "dynamic"]
+    title: str
+    foundation: str
+    mudline: float
+    direction: str
+
+    @property
+    def axis(self) -> Literal["step", "time"]:
+        return "step" if self.database_kind == "static" else "time"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Curves:
+    """A result in SI units.
+
+    `values` has shape (rows, depths): a row for each step or time of `rows`, or minimum and
+    maximum of an envelope, whose steps or times `when` holds in the same shape. `depths` are in m
+    below the mudline, increasing.
+    """
+
+    kind: Kind
+    quantity: str
+    depths: Array
+    rows: Array
+    values: Array
+    layer_boundaries: Array
+    when: Array | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Places:
+    """Points between grid nodes: node above, node below (in `window`), spacing and fraction."""
+
+    window: slice
+    above: Index
+    below: Index
+    spacing: Array
+    fraction: Array
+
+    def linear(self, values: Array) -> Array:
+        """Values on the window's grid, shape (rows, nodes), to the points, linearly."""
+        return _blend(values[..., self.above], values[..., self.below], self.fraction)
+
+    def hermite(self, values: Array, slopes: Array) -> Array:
+        """The same by the cubic that has the given slopes at both nodes."""
+        t, h = self.fraction, self.spacing
+        v0, v1 = values[..., self.above], values[..., self.below]
+        s0, s1 = slopes[..., self.above] * h, slopes[..., self.below] * h
+        return np.asarray(
+            v0
+            + t * t * (3.0 - 2.0 * t) * (v1 - v0)
+            + t * (1.0 - t) * ((1.0 - t) * s0 - t * s1)
+        )
+
+
+def spread(first: float, last: float, count: int) -> Array:
+    """Evenly spread points with both ends included, in increasing order; one if the ends agree."""
+    return np.linspace(min(first, last), max(first, last), count)
+
+
+def step_evolution(data: FoundationData, quantity: str, depths: Array) -> Curves:
+    """The quantity at each depth over all steps or times.
+
+    Raises ValueError for a depth outside the stored ones, as the other queries do.
+    """
+    values = _magnitude(_at_depths(data, quantity, depths, None))
+    return Curves(
+        "step_evolution", quantity, depths, np.asarray(data.axis), values, data.layer_boundaries
+    )
+
+
+def snapshot(data: FoundationData, quantity: str, depths: Array, at: Sequence[float]) -> Curves:
+    """The quantity over depth at the given steps or times, which lie within the stored ones.
+
+    Raises ValueError for a step or time outside them.
+    """
+    wanted = np.asarray(at, dtype=float)
+    before, after, fraction = _bracket(np.asarray(data.axis, dtype=float), wanted)
+    rows, places = np.unique(np.stack([before, after]), return_inverse=True)
+    first, last = places.reshape(2, -1)
+    stored = _at_depths(data, quantity, depths, rows.tolist())
+    values = _magnitude(_blend(stored[:, first], stored[:, last], fraction[:, None]))
+    return Curves("snapshot", quantity, depths, wanted, values, data.layer_boundaries)
+
+
+def envelope(data: FoundationData, quantity: str, depths: Array) -> Curves:
+    """Minimum and maximum over all computed steps, from the stored envelope, and their times.
+
+    An envelope has no stored slope, so its values are linear between the nodes. The time is
+    that of the more extreme of the two nodes: a time between them need not have been computed.
+    """
+    places = _places(data.depth, depths)
+    low, high, low_at, high_at = (stored[places.window] for stored in data.envelope(quantity))
+    values = np.stack([places.linear(low), places.linear(high)])
+    when = np.stack([_governing(places, -low, low_at), _governing(places, high, high_at)])
+    nothing = np.empty(0)
+    return Curves("envelope", quantity, depths, nothing, values, data.layer_boundaries, when)
+
+
+def _governing(places: _Places, size: Array, when: Array) -> Array:
+    below = (places.fraction > 0.0) & (size[places.below] > size[places.above])
+    return np.where(below, when[places.below], when[places.above])
+
+
+def _at_depths(
+    data: FoundationData, quantity: str, depths: Array, rows: list[int] | None
+) -> Array:
+    """Stored rows at the depths, shape (components, rows, depths)."""
+    places = _places(data.depth, depths)
+
+    def component(suffix: str) -> Array:
+        values = data.read(quantity + suffix, rows, places.window)
+        slope = _SLOPES.get(quantity)
+        if slope is None:
+            return places.linear(values)
+        return places.hermite(values, data.read(slope + suffix, rows, places.window))
+
+    lateral = quantity.startswith("lateral")
+    return np.stack([component(s) for s in (("_x", "_y") if data.spatial and lateral else ("",))])
+
+
+def _magnitude(components: Array) -> Array:
+    """One component keeps its sign; two give the length of their vector."""
+    return components[0] if len(components) == 1 else np.hypot(components[0], components[1])
+
+
+def _blend(first: Array, last: Array, fraction: Array) -> Array:
+    """Linear from `first` to `last`; exactly `first` where the fraction is 0."""
+    return np.where(fraction == 0.0, first, first + (last - first) * fraction)
+
+
+def _bracket(grid: Array, points: Array) -> tuple[Index, Index, Array]:
+    """Index before and after each point, and its fraction of the way; 0 exactly at a node.
+
+    Raises ValueError for a point outside the grid.
+    """
+    if points.min() < grid[0] or points.max() > grid[-1]:
+        raise ValueError(f"{points.tolist()} reaches outside {grid[0]:g} to {grid[-1]:g}")
+    before = np.searchsorted(grid, points, side="right") - 1
+    after = np.minimum(before + 1, len(grid) - 1)
+    spacing = np.where(after > before, grid[after] - grid[before], 1.0)
+    return before, after, (points - grid[before]) / spacing
+
+
+def _places(grid: Array, points: Array) -> _Places:
+    above, below, fraction = _bracket(grid, points)
+    spacing = grid[below] - grid[above]
+    first = int(above.min())
+    window = slice(first, int(below.max()) + 1)
+    fraction = np.where(spacing < _JUMP, 0.0, fraction)
+    return _Places(window, above - first, below - first, spacing, fraction)

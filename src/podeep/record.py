@@ -1,0 +1,126 @@
+"""From solved foundations to a static database: the grid, the quantities, the writing."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from .arrays import Array
+from .database.write import Grid, Writer
+from .errors import ExitCode
+from .model.grid import output_depths, tube_depths
+from .model.results import Results
+from .scene import Scene
+from .solve.accuracy import Estimate
+from .solve.analysis import Solved
+
+_COMPONENTS = ("x", "y")
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """One foundation ready to be written: its grid and all values by the schema's names."""
+
+    grid: Grid
+    steps: Array
+    values: dict[str, Array]
+
+
+def sheet(scene: Scene, solved: Solved) -> Sheet:
+    """Evaluate every quantity of a foundation on a grid that is fine enough for the accuracy."""
+    results, model = solved.results, solved.model
+    foundation, axis = model.foundation, model.needs.lateral_axis
+    depth = output_depths(results, scene.numerics.accuracy)
+    tube = scene.tubes[foundation.tubes[0]]
+    x = tube_depths(results, depth, np.array(marks(scene, solved)))
+    grid = Grid(
+        name=foundation.name,
+        depth=depth,
+        tube=np.full(len(depth), tube.id),
+        layer=model.profile.layer(depth),
+        layer_boundaries=np.array([b for b in model.profile.boundaries if b < depth[-1]]),
+        mudline=foundation.mudline,
+        lateral_axis=axis,
+        tubes={tube.id: foundation.mudline - x},
+    )
+    values = {
+        "load_factor": np.array([s.factors for s in solved.states]),
+        **soil_values(results, depth, axis),
+        **{f"tubes/{tube.id}/{k}": v for k, v in tube_values(results, x).items()},
+        **progress_values(solved),
+    }
+    named = {f"{foundation.name}/{name}": value for name, value in values.items()}
+    return Sheet(grid, np.array([s.step for s in solved.states]), named)
+
+
+def marks(scene: Scene, solved: Solved) -> list[float]:
+    """Depths where something acts on the tube at a point."""
+    foundation = solved.model.foundation
+    items = (*scene.supports, *scene.springs, *scene.loads, *scene.displacements)
+    return sorted({foundation.mudline - i.elevation for i in items if i.tube in foundation.tubes})
+
+
+def soil_values(results: Results, depth: Array, axis: float | None) -> dict[str, Array]:
+    """Displacements and reactions of the outermost tube over depth, as the schema names them."""
+    lateral = {
+        "lateral_displacement": results.deflection(depth),
+        "lateral_slope": results.deflection(depth, 1),
+        "lateral_force": results.lateral_reaction(depth),
+    }
+    values: dict[str, Array] = {}
+    for name, components in lateral.items():
+        parts = results.global_vector(components)
+        if axis is None:
+            values[name] = np.hypot(*parts)
+            values |= {f"{name}_{c}": part for c, part in zip(_COMPONENTS, parts, strict=True)}
+        else:
+            cosine, sine = np.cos(np.radians(axis)), np.sin(np.radians(axis))
+            values[name] = parts[0] * cosine + parts[1] * sine
+    settlement, force = results.tip()
+    return values | {
+        "axial_displacement": results.settlement(depth),
+        "axial_strain": results.settlement(depth, 1),
+        "axial_force": results.axial_reaction(depth),
+        "tip_displacement": settlement,
+        "tip_force": force,
+    }
+
+
+def tube_values(results: Results, x: Array) -> dict[str, Array]:
+    """Motion and internal forces of a tube at depths x, in global axes with z up."""
+    shear, moment = results.shear_and_moment(x)
+    displacement = results.global_vector(results.deflection(x))
+    slope = results.global_vector(results.deflection(x, 1))
+    shears, moments = results.global_vector(shear), results.global_vector(moment)
+    return {
+        "displacement_x": displacement[0],
+        "displacement_y": displacement[1],
+        "displacement_z": -results.settlement(x),
+        "rotation_x": slope[1],
+        "rotation_y": -slope[0],
+        "moment_x": -moments[1],
+        "moment_y": moments[0],
+        "shear_x": shears[0],
+        "shear_y": shears[1],
+        "normal_force": results.compression(x),
+    }
+
+
+def progress_values(solved: Solved) -> dict[str, Array]:
+    """Estimated errors and what the iteration took, per step."""
+    lateral, axial = solved.estimates
+
+    def worse(name: str) -> Array:
+        return np.maximum(getattr(lateral, name), getattr(axial, name))
+
+    states = solved.states
+    return {
+        "estimate/displacement": worse("displacement"),
+        "estimate/reaction": worse("reaction"),
+        "estimate/moment": worse("moment"),
+        "convergence/iterations": np.array([s.iterations for s in states]),
+        "convergence/residual": np.array([s.residual for s in states]),
+        "convergence/step_size": np.array([s.step_size for s in states]),
+        "convergence/energy": np.array([s.energy for s in states]),
+    }

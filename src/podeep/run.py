@@ -1,0 +1,113 @@
+"""The solver's commands as functions: from a deck's path to a database and a report."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from .arrays import Array
+from .database.write import Writer, check_target
+from .deck.read import Deck, read_deck
+from .errors import Fault, UserError
+from .record import Sheet, sheet
+from .report import run_report, step_table, summary
+from .scene import Scene
+from .soil.curves import CurveTable
+from .soil.curves import curves as soil_curves
+from .soil.profile import Profile
+from .solve.analysis import Solved, solve
+from .solve.diagnosis import explain
+
+
+@dataclass(frozen=True)
+class Run:
+    """What a run did: the database it wrote (None for a deck that ends in *STOP) and its report.
+
+    failure: why the last steps are missing; empty if none are.
+    """
+
+    deck: Path
+    title: str
+    solved: tuple[Solved, ...]
+    database: Path | None
+    warnings: tuple[str, ...]
+    failure: str
+
+    def text(self, verbose: bool = False) -> str:
+        """The report in words."""
+        parts = [self.title] if self.title else []
+        for one in self.solved:
+            parts.append(run_report(summary(one)))
+            if verbose:
+                parts.append(step_table(one))
+        ending = f"written: {self.database}" if self.database else "checked, *STOP: nothing solved"
+        return "\n".join([*parts, ending])
+
+    def as_json(self) -> dict[str, Any]:
+        """The report as plain data."""
+        return {
+            "deck": str(self.deck),
+            "title": self.title,
+            "foundations": [summary(one) for one in self.solved],
+            "database": str(self.database) if self.database else None,
+            "warnings": list(self.warnings),
+            "failure": self.failure or None,
+        }
+
+
+def run_deck(path: Path, directory: Path, *, force: bool, accuracy: float | None) -> Run:
+    """Check a deck, solve it, and write NAME.dss into a directory.
+
+    Raises UserError before anything is solved where the deck is at fault or the database could
+    not be written. A step without equilibrium is no error here: the steps before it are written.
+    """
+    deck = read_deck(path)
+    scene = deck.scene
+    if accuracy is not None:
+        scene = replace(scene, numerics=replace(scene.numerics, accuracy=accuracy))
+    if not deck.solve:
+        return Run(path, scene.title, (), None, deck.notes, "")
+    target = directory / path.with_suffix(".dss").name
+    check_target(target, force=force)
+    solved = tuple(solve(scene, foundation) for foundation in scene.foundations)
+    names = scene.steps.names
+    failure = "\n".join(explain(s, s.failure, names) for s in solved if s.failure)
+    write(target, deck, scene, [sheet(scene, s) for s in solved], failure, force=force)
+    return Run(path, scene.title, solved, target, deck.notes, failure)
+
+
+def write(
+    target: Path, deck: Deck, scene: Scene, sheets: list[Sheet], failure: str, *, force: bool
+) -> None:
+    """Write the steps that all foundations have."""
+    steps = min((s.steps for s in sheets), key=len)
+    with Writer(
+        target,
+        kind="static",
+        title=scene.title,
+        deck_text=deck.text,
+        grids=[s.grid for s in sheets],
+        loads=scene.steps.names,
+        force=force,
+    ) as writer:
+        values = {name: v[: len(steps)] for s in sheets for name, v in s.values.items()}
+        writer.append(steps, values)
+        writer.finish("stopped" if failure else "complete", failure)
+
+
+def curves_at(
+    scene: Scene, foundation: str | None, depth: float, displacement: Array | None
+) -> tuple[CurveTable, ...]:
+    """The curves of a foundation's outermost tube at a depth (m below the mudline).
+
+    Raises UserError for a foundation or a depth that the scene does not have.
+    """
+    found = {f.name: f for f in scene.foundations}
+    name = foundation or scene.foundations[0].name
+    if name not in found:
+        raise UserError(Fault(f"no foundation {name}", f"the deck has {', '.join(found)}"))
+    mudline = found[name].mudline
+    tube = scene.tubes[found[name].tubes[0]]
+    if not 0.0 <= depth <= mudline - tube.tip:
+        raise UserError(f"depth {depth:g} m is outside 0 to {mudline - tube.tip:g} m, the tip")
+    section = next(s for s in tube.sections if mudline - depth >= s.bottom - 1e-9)
+    return soil_curves(Profile(scene.ground), depth, section.outer_diameter, displacement)

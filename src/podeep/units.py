@@ -1,0 +1,89 @@
+"""How numbers are shown: display units, significant digits, one notation for a whole table.
+
+Everything inside is SI; only tables and pictures convert, and only by this table.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import floor, log10
+
+import numpy as np
+
+from .arrays import Array
+
+_DIGITS = 6
+_LEAST_DIGITS = 3  # a value of a fixed-point table keeps at least so many, or all go scientific
+_NOISE = 1e-9  # share of a table's largest value below which rounding made the value
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A result: its name, its SI unit, and the unit it is shown in (shown = scale * SI)."""
+
+    key: str
+    title: str
+    si_unit: str
+    unit: str
+    scale: float
+
+    @property
+    def label(self) -> str:
+        return f"{self.title} ({self.unit})"
+
+
+QUANTITIES = {
+    q.key: q
+    for q in (
+        Quantity("lateral_displacement", "Lateral displacement", "m", "m", 1.0),
+        Quantity("lateral_force", "Lateral force", "N/m", "kN/m", 1e-3),
+        Quantity("axial_displacement", "Axial displacement", "m", "m", 1.0),
+        Quantity("axial_force", "Axial force", "N/m", "kN/m", 1e-3),
+    )
+}
+
+AXIS_UNITS = {"step": "", "time": "s", "depth": "m"}
+"""Units of what results are given against; a step is a plain number."""
+
+
+def short(value: float) -> str:
+    """A number in running text: six significant digits at most, no trailing zeros."""
+    return f"{value + 0.0:.{_DIGITS}g}"
+
+
+def with_unit(value: float, axis: str) -> str:
+    """A step, time or depth in running text: `12`, `0.5 s`, `30 m`."""
+    return f"{short(value)} {AXIS_UNITS[axis]}".rstrip()
+
+
+def number_format(values: Array) -> Callable[[float], str]:
+    """One format for all values of a table.
+
+    The largest value gets six significant digits, and the rest as many decimals. Where that would
+    leave a value less than three significant digits, or runs to more than ten places, all are
+    scientific with six. Rounding noise has no say.
+    """
+    sizes = np.abs(values)
+    sizes = sizes[sizes > _NOISE * sizes.max(initial=0.0)]
+    if sizes.size == 0:
+        return lambda value: f"{value:z.1f}"
+    largest, smallest = floor(log10(sizes.max())), floor(log10(sizes.min()))
+    decimals = max(_DIGITS - 1 - largest, 0)
+    if smallest + decimals + 1 < _LEAST_DIGITS or decimals > 10 or largest > 9:
+        return lambda value: f"{value + 0.0:.{_DIGITS - 1}e}"
+    return lambda value: f"{value:z.{decimals}f}"
+
+
+def coordinates(values: Sequence[float] | Array) -> list[str]:
+    """Depths, times or steps with the fewest decimals that tell them to six digits.
+
+    >>> coordinates([0.0, 2.5, 10.0])
+    ['0.0', '2.5', '10.0']
+    """
+    numbers = np.asarray(values, dtype=float)
+    largest = float(np.max(np.abs(numbers), initial=0.0))
+    most = _DIGITS if largest == 0.0 else min(max(_DIGITS - 1 - floor(log10(largest)), 0), 12)
+    tolerance = 0.5 * 10.0**-most
+    decimals = next(
+        (d for d in range(most) if np.all(np.abs(np.round(numbers, d) - numbers) < tolerance)), most
+    )
+    return [f"{value:z.{decimals}f}" for value in numbers]
