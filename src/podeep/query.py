@@ -9,12 +9,14 @@ magnitude.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 from .arrays import Array, Index
-from .database.read import FoundationData
+
+if TYPE_CHECKING:
+    from .database.read import FoundationData
 
 Kind = Literal["step_evolution", "snapshot", "envelope"]
 
@@ -90,7 +92,7 @@ def spread(first: float, last: float, count: int) -> Array:
     return np.linspace(min(first, last), max(first, last), count)
 
 
-def step_evolution(data: FoundationData, quantity: str, depths: Array) -> Curves:
+def step_evolution(data: "FoundationData", quantity: str, depths: Array) -> Curves:
     """The quantity at each depth over all steps or times.
 
     Raises ValueError for a depth outside the stored ones, as the other queries do.
@@ -101,7 +103,7 @@ def step_evolution(data: FoundationData, quantity: str, depths: Array) -> Curves
     )
 
 
-def snapshot(data: FoundationData, quantity: str, depths: Array, at: Sequence[float]) -> Curves:
+def snapshot(data: "FoundationData", quantity: str, depths: Array, at: Sequence[float]) -> Curves:
     """The quantity over depth at the given steps or times, which lie within the stored ones.
 
     Raises ValueError for a step or time outside them.
@@ -115,7 +117,7 @@ def snapshot(data: FoundationData, quantity: str, depths: Array, at: Sequence[fl
     return Curves("snapshot", quantity, depths, wanted, values, data.layer_boundaries)
 
 
-def envelope(data: FoundationData, quantity: str, depths: Array) -> Curves:
+def envelope(data: "FoundationData", quantity: str, depths: Array) -> Curves:
     """Minimum and maximum over all computed steps, from the stored envelope, and their times.
 
     An envelope has no stored slope, so its values are linear between the nodes. The time is
@@ -135,7 +137,7 @@ def _governing(places: _Places, size: Array, when: Array) -> Array:
 
 
 def _at_depths(
-    data: FoundationData, quantity: str, depths: Array, rows: list[int] | None
+    data: "FoundationData", quantity: str, depths: Array, rows: list[int] | None
 ) -> Array:
     """Stored rows at the depths, shape (components, rows, depths)."""
     places = _places(data.depth, depths)

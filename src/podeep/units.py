@@ -12,7 +12,7 @@ import numpy as np
 from .arrays import Array
 
 _DIGITS = 6
-_LEAST_DIGITS = 3  # a value of a fixed-point table keeps at least so many, or all go scientific
+_LEAST_DIGITS = 3  # of the largest value of each curve of a fixed-point table
 _NOISE = 1e-9  # share of a table's largest value below which rounding made the value
 
 
@@ -55,20 +55,22 @@ def with_unit(value: float, axis: str) -> str:
     return f"{short(value)} {AXIS_UNITS[axis]}".rstrip()
 
 
-def number_format(values: Array) -> Callable[[float], str]:
-    """One format for all values of a table.
+def number_format(curves: Array) -> Callable[[float], str]:
+    """One format for all values of a table; `curves` has shape (curves, values).
 
-    The largest value gets six significant digits, and the rest as many decimals. Where that would
-    leave a value less than three significant digits, or runs to more than ten places, all are
-    scientific with six. Rounding noise has no say.
+    Fixed, with six significant digits for the largest value, as long as the largest value of
+    every curve keeps three; otherwise, and where that takes more than nine decimals or digits,
+    scientific with six. Curves of zeros or of rounding noise have no say.
     """
-    sizes = np.abs(values)
-    sizes = sizes[sizes > _NOISE * sizes.max(initial=0.0)]
-    if sizes.size == 0:
+    sizes = np.abs(curves).max(axis=1)
+    largest = float(sizes.max())
+    if largest == 0.0:
         return lambda value: f"{value:z.1f}"
-    largest, smallest = floor(log10(sizes.max())), floor(log10(sizes.min()))
-    decimals = max(_DIGITS - 1 - largest, 0)
-    if smallest + decimals + 1 < _LEAST_DIGITS or decimals > 10 or largest > 9:
+    place = floor(log10(largest))
+    decimals = max(_DIGITS - 1 - place, 0)
+    smallest = float(sizes[sizes > _NOISE * largest].min())
+    digits = floor(log10(smallest)) + decimals + 1
+    if digits < _LEAST_DIGITS or decimals > 9 or place > 8:
         return lambda value: f"{value + 0.0:.{_DIGITS - 1}e}"
     return lambda value: f"{value:z.{decimals}f}"
 

@@ -61,9 +61,7 @@ class System:
         shape = field.interpolation(x)
         self._build_tangent(shape, springs)
         weighted = sparse.csr_array((shape * weight[:, None]).T)
-        small = shape.shape[0] * shape.shape[1] <= _DENSE
-        self._shape = shape.toarray() if small else shape
-        self._weighted = weighted.toarray() if small else weighted
+        self._shape, self._weighted = _compact(shape), _compact(weighted)
 
     def _build_tangent(self, shape: sparse.csr_array, springs: Sequence[Spring]) -> None:
         field, m = self.field, self.components
@@ -82,7 +80,7 @@ class System:
             linear += scatter(place, entries, storage)
         for spring in springs:
             linear[spring.dof * self.width] += spring.stiffness
-        self._stiffness = self._from_band(linear)
+        self._stiffness = _compact(self._from_band(linear))
         self.diagonal = linear[:: self.width].copy()
         keep = self._kept(free)
         linear *= keep
@@ -204,6 +202,11 @@ class System:
         moduli[count : 2 * count] = across + more[:, 1] * direction[:, 1]
         moduli[2 * count :] = more[:, 0] * direction[:, 1]
         return moduli
+
+
+def _compact(matrix: sparse.csr_array) -> sparse.csr_array | Array:
+    """The matrix as it multiplies fastest."""
+    return matrix.toarray() if matrix.shape[0] * matrix.shape[1] <= _DENSE else matrix
 
 
 def secant(force: Array, u: Array, modulus: Array) -> Array:

@@ -11,7 +11,7 @@ from ..errors import AnswerRefused
 from .question import Leave, Question, Refused, numbers
 
 T = TypeVar("T")
-Record = Callable[[Question[T], str], None]
+Record = Callable[[Question[object], str], None]
 
 
 class Console(Protocol):
@@ -28,11 +28,11 @@ class Console(Protocol):
     def show(self, text: str) -> None: ...
 
 
-def no_record(question: Question[T], answer: str) -> None:
+def no_record(question: Question[object], answer: str) -> None:
     """The record of a session that is not recorded."""
 
 
-def accept(question: Question[T], answer: str, record: Record[T]) -> T:
+def accept(question: Question[T], answer: str, record: Record) -> T:
     """The value of an answer, or its way out raised; raises `Refused`. Recorded if accepted."""
     if way := question.way_out(answer):
         record(question, answer)
@@ -48,7 +48,7 @@ class Recorder:
     def __init__(self, out: TextIO) -> None:
         self._out = out
 
-    def __call__(self, question: Question[T], answer: str) -> None:
+    def __call__(self, question: Question[object], answer: str) -> None:
         self._out.write(f"# {question.asked}\n{answer}\n")
         self._out.flush()
 
@@ -66,7 +66,7 @@ class ScriptConsole:
         name: str,
         dialogue: TextIO,
         results: TextIO,
-        record: Record[object] = no_record,
+        record: Record = no_record,
     ) -> None:
         self._lines = iter(lines)
         self._name = name

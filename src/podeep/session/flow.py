@@ -9,30 +9,18 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Literal
 
-import numpy as np
-
 from ..arrays import Array
-from ..query import Kind, spread
-from ..units import QUANTITIES, short
+from ..query import Kind
+from ..units import QUANTITIES
 from .console import Console
-from .question import Choice, Leave, Question, Refused, Up, Way, menu, numbers, real, whole
+from .points import Extent, ask_all, ask_depths, ask_step, ask_times
+from .question import Choice, Leave, Question, Refused, Up, Way, menu
 
 DatabaseKind = Literal["static", "dynamic"]
 
-_MOST = 10  # curves of one step evolution, and times chosen by the program
-_PROPOSAL = 10
-_UP: Mapping[str, Way] = {"q": Up}
+_MOST = 10  # curves of a step evolution
 _EXIT: Choice[Way] = Choice("Exit", "q", Leave)
-_TYPE_SIGNS = (("l", "1"), ("f", "2"), ("a", "3"), ("r", "4"))
-_OTHER_SIGNS = ("o", "5")
-
-
-@dataclass(frozen=True, slots=True)
-class Extent:
-    """What of a foundation is stored: range of depths, m, and steps or times, increasing."""
-
-    depths: tuple[float, float]
-    rows: Array
+_OTHER_ANALYSIS: Choice[Way] = Choice("Other analysis", "o", Up)
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,12 +81,14 @@ def converse(
             except Up:
                 raise KeyboardInterrupt from None
             with suppress(Up):
-                _analyses(console, source, answer)
+                foundation = _foundation(console, tuple(source.extents))
+                _analyses(console, source, foundation, answer)
 
 
-def _analyses(console: Console, source: Source, answer: Callable[[Request], None]) -> None:
+def _analyses(
+    console: Console, source: Source, foundation: str, answer: Callable[[Request], None]
+) -> None:
     flow = _FLOWS[source.kind]
-    foundation = _foundation(console, tuple(source.extents))
     extent = source.extents[foundation]
     while True:
         analysis = console.ask(flow.analyses)
@@ -109,7 +99,7 @@ def _analyses(console: Console, source: Source, answer: Callable[[Request], None
             while True:
                 quantity = console.ask(flow.types)
                 with suppress(Up):
-                    depths = _depths(console, extent, analysis.most, flow.counting)
+                    depths = ask_depths(console, extent, analysis.most, flow.counting)
                     at = analysis.when(console, extent)
                     answer(Request(source.kind, foundation, analysis.kind, quantity, depths, at))
 
@@ -131,6 +121,54 @@ def _foundation(console: Console, names: tuple[str, ...]) -> str:
             parse,
             hint=f"One of {offered}",
             completions=dict.fromkeys(names, ""),
-            exits=_UP,
+            exits={"q": Up},
         )
     )
+
+
+def _types(other: str, signs: str) -> Question[str]:
+    """The menu of results; `signs` are its own, and it takes the other flow's too."""
+    choices = [
+        Choice(quantity.title, own, quantity.key, tuple({letter, digit} - {own}))
+        for quantity, letter, digit, own in zip(
+            QUANTITIES.values(), "lfar", "1234", signs, strict=True
+        )
+    ]
+    others = tuple({"o", "5"} - {other})
+    ways: list[Choice[Way]] = [Choice("Other", other, Up, others), _EXIT]
+    return menu(choices, ways, head="Type of results:")
+
+
+_STEP_EVOLUTION = Choice("Step evolution", "t", _Analysis("step_evolution", _MOST, ask_all))
+_SNAPSHOT = Choice("Snapshot", "f", _Analysis("snapshot", None, ask_step), ("x",))
+_SNAPSHOTS = Choice("Snapshot", "f", _Analysis("snapshot", None, ask_times), ("x",))
+_ENVELOPE = Choice("Envelop", "e", _Analysis("envelope", None, ask_all))
+
+_FLOWS = {
+    "static": _Flow(
+        label="Static soil results",
+        sign="g",
+        analyses=menu(
+            [_STEP_EVOLUTION, _SNAPSHOT],
+            [_OTHER_ANALYSIS, _EXIT],
+            in_line="Step evolution <t>, Snapshot <f>, Other analysis <o>, exit<q>",
+        ),
+        types=_types("o", "lfar"),
+        counting="Number of calculation points",
+        least=3,
+        too_few="No step evolution: only one static step is defined",
+    ),
+    "dynamic": _Flow(
+        label="Dynamic soil results",
+        sign="h",
+        analyses=menu(
+            [_STEP_EVOLUTION, _SNAPSHOTS, _ENVELOPE],
+            [_OTHER_ANALYSIS, _EXIT],
+            in_line="Step evolution <t>, Snapshot <f>, Envelop <e>, Other analysis <o>, exit<q>",
+        ),
+        types=_types("5", "1234"),
+        counting="Number of divisions",
+        least=2,
+        too_few="No step evolution: only one time is stored",
+    ),
+}

@@ -7,6 +7,7 @@ from types import MappingProxyType
 from typing import Generic, TypeVar
 
 T = TypeVar("T")
+T_co = TypeVar("T_co", covariant=True)
 
 
 class Refused(ValueError):
@@ -25,7 +26,7 @@ Way = type[Leave] | type[Up]
 
 
 @dataclass(frozen=True, slots=True)
-class Question(Generic[T]):
+class Question(Generic[T_co]):
     """What a console asks.
 
     `parse` turns an answer into its value or raises `Refused`. `exits` are answers, in small
@@ -36,7 +37,7 @@ class Question(Generic[T]):
     """
 
     text: str
-    parse: Callable[[str], T]
+    parse: Callable[[str], T_co]
     above: str = ""
     hint: str = ""
     proposal: str = ""

@@ -10,7 +10,7 @@ from prompt_toolkit.output import create_output
 from prompt_toolkit.validation import ValidationError, Validator
 
 from .console import Record, accept, no_record
-from .question import Leave, Question, Refused, Up, numbers
+from .question import Leave, Question, Refused, Up, Way, numbers
 
 T = TypeVar("T")
 
@@ -22,7 +22,7 @@ class TerminalConsole:
     """
 
     def __init__(
-        self, dialogue: TextIO, results: TextIO, record: Record[object] = no_record
+        self, dialogue: TextIO, results: TextIO, record: Record = no_record
     ) -> None:
         self._dialogue = dialogue
         self._results = results
@@ -57,7 +57,7 @@ class TerminalConsole:
         self._results.write(text)
         self._results.flush()
 
-    def _read(self, question: Question[T], draft: str) -> str:
+    def _read(self, question: Question[object], draft: str) -> str:
         """An answer that the question accepts."""
         session = self._sessions.setdefault(
             question.text, PromptSession(output=self._output, key_bindings=_keys())
@@ -85,7 +85,7 @@ class TerminalConsole:
         answer, self._waiting = _split(question, text)
         return answer
 
-    def _go(self, question: Question[T], way: type[Leave] | type[Up]) -> None:
+    def _go(self, question: Question[object], way: Way) -> None:
         """Record a way out by key as the answers that lead there."""
         if sign := question.sign_of(way):
             self._record(question, sign)
@@ -95,7 +95,7 @@ class TerminalConsole:
 
 
 class _Check(Validator):
-    def __init__(self, question: Question[T]) -> None:
+    def __init__(self, question: Question[object]) -> None:
         self._question = question
 
     def validate(self, document: Document) -> None:
@@ -108,7 +108,7 @@ class _Check(Validator):
             raise ValidationError(len(document.text), str(refusal)) from None
 
 
-def _split(question: Question[T], text: str) -> tuple[str, list[str]]:
+def _split(question: Question[object], text: str) -> tuple[str, list[str]]:
     """The answer in a line, its numbers beyond the first; an empty line is the proposal."""
     line = text.strip() or question.proposal
     if not question.one_number:

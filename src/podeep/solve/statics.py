@@ -108,14 +108,13 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
         for p in (model.lateral, model.axial)
     ]
     before = np.zeros(factors.shape[1])
-    last_increment = before
+    alike = same_increment(factors)
     state = State(0, before, paths[0].q, paths[1].q, 0, 0, 0.0, 1.0, 0.0)
     yield state
     for step, after in enumerate(factors, start=1):
-        if not np.allclose(after - before, last_increment):
+        if not alike[step - 1]:
             for path in paths:
                 path.increment = None
-        last_increment = after - before
         iterations, evaluations, residual, size = 0, 0, 0.0, 1.0
         for path in paths:
             outcome, reached, smallest, work = path.advance(before, after)
@@ -132,3 +131,10 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
         )
         yield state
         before = after
+
+
+def same_increment(factors: Array) -> list[bool]:
+    """For each step whether its factors grow just as in the one before."""
+    growth = np.diff(factors, axis=0, prepend=np.zeros((1, factors.shape[1])))
+    change = np.abs(np.diff(growth, axis=0)).max(axis=1, initial=0.0)
+    return [False, *(change <= 1e-9 * np.abs(growth).max(initial=0.0)).tolist()]

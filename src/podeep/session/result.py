@@ -1,0 +1,71 @@
+"""From a request to what the user sees: the query, its table and its picture."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..figure import save
+from ..query import Curves, Origin, envelope, snapshot, step_evolution
+from ..table import csv_table, text_table
+from ..units import short
+from .cases import case_name
+from .console import Console
+from .flow import DatabaseKind, Request, Source
+from .points import Extent
+
+if TYPE_CHECKING:
+    from ..database.read import Database, FoundationData
+
+_AXES = {0.0: "x", 90.0: "y", 180.0: "-x", 270.0: "-y", -90.0: "-y"}
+
+
+@dataclass(frozen=True, slots=True)
+class Results:
+    """Makes and shows the results of a session; `pictures` is their folder, None for none."""
+
+    databases: Mapping[DatabaseKind, "Database"]
+    console: Console
+    csv: bool
+    pictures: Path | None
+
+    def __call__(self, request: Request) -> None:
+        database = self.databases[request.source]
+        data = database.foundation(request.foundation)
+        curves, origin = _curves(data, request), _origin(database, data)
+        table = csv_table(curves, origin) if self.csv else f"\n{text_table(curves, origin)}\n"
+        self.console.show(table)
+        if self.pictures is not None:
+            path = save(curves, origin, self.pictures, case_name(database.path))
+            self.console.say(f"Picture: {path}")
+
+
+def sources(databases: Mapping[DatabaseKind, "Database"]) -> tuple[Source, ...]:
+    """The open databases as the flow sees them."""
+    return tuple(
+        Source(kind, {name: _extent(database.foundation(name)) for name in database.foundations})
+        for kind, database in databases.items()
+    )
+
+
+def _extent(data: "FoundationData") -> Extent:
+    return Extent((float(data.depth[0]), float(data.depth[-1])), data.axis)
+
+
+def _curves(data: "FoundationData", request: Request) -> Curves:
+    match request.analysis:
+        case "step_evolution":
+            return step_evolution(data, request.quantity, request.depths)
+        case "snapshot":
+            return snapshot(data, request.quantity, request.depths, request.at)
+        case "envelope":
+            return envelope(data, request.quantity, request.depths)
+
+
+def _origin(database: "Database", data: "FoundationData") -> Origin:
+    direction = "magnitude"
+    if (axis := data.lateral_axis) is not None:
+        direction = f"positive along {_AXES.get(axis, f'{short(axis)} degrees from x')}"
+    return Origin(
+        database.path.name, database.kind, database.title, data.name, data.mudline, direction
+    )
