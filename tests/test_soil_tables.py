@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from podeep.soil import axial
 from podeep.soil.lateral import Sand, SoftClay, default_subgrade_modulus, sand_coefficients
 

@@ -4,9 +4,11 @@ Made without pyplot and without the user's own matplotlib settings. matplotlib t
 second to import, so it is imported when the first picture is drawn.
 """
 
+from io import BytesIO
 from itertools import count
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO
+from textwrap import fill
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -37,24 +39,26 @@ def save(curves: Curves, origin: Origin, folder: Path, case: str) -> Path:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.style import context
 
-    stem = f"{case}_{origin.database_kind}_{curves.kind}_{curves.quantity}"
     with context("default", after_reset=True):
         figure = draw(curves, origin)
-        path, out = _new_file(folder, stem)
-        with out:
-            FigureCanvasAgg(figure).print_png(out, metadata={"Software": None})
-    return path
+        FigureCanvasAgg(figure)
+        picture = BytesIO()
+        figure.savefig(picture, format="png", metadata={"Software": None})
+    stem = f"{case}_{origin.database_kind}_{curves.kind}_{curves.quantity}"
+    return _write_new(folder, stem, picture.getvalue())
 
 
 def draw(curves: Curves, origin: Origin) -> "Figure":
     """The result as a matplotlib figure."""
     from matplotlib.figure import Figure
+    from matplotlib.layout_engine import ConstrainedLayoutEngine
     from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-    figure = Figure(figsize=(7.0, 7.0), dpi=120, layout="constrained")
+    layout = ConstrainedLayoutEngine(w_pad=0.1, h_pad=0.1)
+    figure = Figure(figsize=(7.0, 7.0), dpi=120, layout=layout)
     axes = figure.add_subplot()
     numbers = FuncFormatter(lambda value, _: f"{value:.6g}")
-    axes.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
+    axes.xaxis.set_major_locator(MaxNLocator(7, steps=[1, 2, 2.5, 5, 10]))
     axes.xaxis.set_major_formatter(numbers)
     axes.yaxis.set_major_formatter(numbers)
     axes.grid(color="#e4e4e4", linewidth=0.7)
@@ -63,8 +67,16 @@ def draw(curves: Curves, origin: Origin) -> "Figure":
         _evolution(axes, curves, origin)
     else:
         _profile(axes, curves, origin)
-    figure.suptitle(_title(curves, origin), x=0.02, ha="left", fontsize=11)
-    figure.legend(loc="outside right upper", frameon=False, fontsize=9, handlelength=3.2)
+    title = fill(_title(curves, origin), 52)
+    axes.set_title(title, loc="left", fontsize=11, pad=12.0, parse_math=False)
+    figure.legend(
+        loc="outside right upper",
+        title="Depth" if curves.kind == "step_evolution" else None,
+        frameon=False,
+        fontsize=9,
+        handlelength=3.2,
+        alignment="left",
+    )
     return figure
 
 
@@ -139,13 +151,15 @@ def _pen(number: int, of: int, points: int) -> dict[str, Any]:
     }
 
 
-def _new_file(folder: Path, stem: str) -> tuple[Path, BinaryIO]:
-    """The first name that is free, opened so that no other program can take it meanwhile."""
+def _write_new(folder: Path, stem: str, picture: bytes) -> Path:
+    """Write under the first name that is free, which no other program can take meanwhile."""
     path = folder / f"{stem}.png"
     numbers = count(2)
     while True:
         try:
-            return path, path.open("xb")
+            with path.open("xb") as out:
+                out.write(picture)
+            return path
         except FileExistsError:
             path = folder / f"{stem}_{next(numbers)}.png"
         except OSError as error:

@@ -14,10 +14,12 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from .arrays import Array, Index
+from .database import schema
 
 if TYPE_CHECKING:
     from .database.read import FoundationData
 
+DatabaseKind = schema.Kind
 Kind = Literal["step_evolution", "snapshot", "envelope"]
 
 _JUMP = 2e-6  # a pair of depths closer than this is a jump, m
@@ -28,15 +30,16 @@ _SLOPES = {"lateral_displacement": "lateral_slope", "axial_displacement": "axial
 class Origin:
     """Where a result comes from: the database and one of its foundations.
 
-    `mudline` is an elevation from sea level, m; `direction` says how a lateral value is counted.
+    `mudline` is an elevation from sea level, m; lateral values are counted along `direction`, as
+    `x`, or are magnitudes where it is None.
     """
 
     database: str
-    database_kind: Literal["static", "dynamic"]
+    database_kind: DatabaseKind
     title: str
     foundation: str
     mudline: float
-    direction: str
+    direction: str | None
 
     @property
     def axis(self) -> Literal["step", "time"]:
@@ -81,9 +84,7 @@ class _Places:
         v0, v1 = values[..., self.above], values[..., self.below]
         s0, s1 = slopes[..., self.above] * h, slopes[..., self.below] * h
         return np.asarray(
-            v0
-            + t * t * (3.0 - 2.0 * t) * (v1 - v0)
-            + t * (1.0 - t) * ((1.0 - t) * s0 - t * s1)
+            v0 + t * t * (3.0 - 2.0 * t) * (v1 - v0) + t * (1.0 - t) * ((1.0 - t) * s0 - t * s1)
         )
 
 
@@ -155,7 +156,7 @@ def _at_depths(
 
 def _magnitude(components: Array) -> Array:
     """One component keeps its sign; two give the length of their vector."""
-    return components[0] if len(components) == 1 else np.hypot(components[0], components[1])
+    return np.asarray(components[0] if len(components) == 1 else np.hypot(*components))
 
 
 def _blend(first: Array, last: Array, fraction: Array) -> Array:

@@ -59,7 +59,10 @@ def heading(curves: Curves, origin: Origin, *, si: bool = False) -> list[tuple[s
     """What the table is of, as pairs of a name and its text."""
     quantity = QUANTITIES[curves.quantity]
     unit = quantity.si_unit if si else quantity.unit
-    sign = origin.direction if curves.quantity.startswith("lateral") else "positive down"
+    direction = origin.direction if curves.quantity.startswith("lateral") else "down"
+    against = "against displacement " if curves.quantity.endswith("force") else ""
+    along = "down" if direction == "down" else f"along {direction}"
+    sign = f"positive {against}{along}" if direction else "magnitude"
     depths = curves.depths
     extent = short(depths[0])
     if len(depths) > 1:

@@ -10,9 +10,10 @@ from typing import TextIO
 from .. import __version__
 from ..database.read import Database, open_database
 from ..errors import ExitCode, Fault, UserError
+from ..query import DatabaseKind
 from ..session.cases import find_databases
 from ..session.console import Console, Record, Recorder, ScriptConsole, no_record
-from ..session.flow import DatabaseKind, converse
+from ..session.flow import converse
 from ..session.result import Results, sources
 from .common import guarded
 

@@ -7,16 +7,13 @@ The flow knows neither terminal nor database: a console asks, and `answer` makes
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Literal
 
 from ..arrays import Array
-from ..query import Kind
+from ..query import DatabaseKind, Kind
 from ..units import QUANTITIES
 from .console import Console
 from .points import Extent, ask_all, ask_depths, ask_step, ask_times
 from .question import Choice, Leave, Question, Refused, Up, Way, menu
-
-DatabaseKind = Literal["static", "dynamic"]
 
 _MOST = 10  # curves of a step evolution
 _EXIT: Choice[Way] = Choice("Exit", "q", Leave)
@@ -129,13 +126,12 @@ def _foundation(console: Console, names: tuple[str, ...]) -> str:
 def _types(other: str, signs: str) -> Question[str]:
     """The menu of results; `signs` are its own, and it takes the other flow's too."""
     choices = [
-        Choice(quantity.title, own, quantity.key, tuple({letter, digit} - {own}))
+        Choice(quantity.title, own, quantity.key, (letter, digit))
         for quantity, letter, digit, own in zip(
             QUANTITIES.values(), "lfar", "1234", signs, strict=True
         )
     ]
-    others = tuple({"o", "5"} - {other})
-    ways: list[Choice[Way]] = [Choice("Other", other, Up, others), _EXIT]
+    ways: list[Choice[Way]] = [Choice("Other", other, Up, ("o", "5")), _EXIT]
     return menu(choices, ways, head="Type of results:")
 
 

@@ -10,7 +10,7 @@ T = TypeVar("T")
 T_co = TypeVar("T_co", covariant=True)
 
 
-class Refused(ValueError):
+class Refused(ValueError):  # noqa: N818 - a verdict on an answer
     """An answer that a question does not accept; the message says why, in words."""
 
 
@@ -83,7 +83,7 @@ def menu(
     in_line: str = "",
 ) -> Question[T]:
     """A menu of choices and ways out: a line each under `head`, or the one line `in_line`."""
-    entries = [(c.label, c.sign) for c in (*choices, *ways)]
+    entries = [(c.label, c.sign) for c in choices] + [(w.label, w.sign) for w in ways]
     lines = [f"{label:.<33}<{sign}>" for label, sign in entries]
     named = ", ".join(f"{label} <{sign}>" for label, sign in entries)
     offered = ", ".join(sign for _, sign in entries)

@@ -6,18 +6,24 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..figure import save
-from ..query import Curves, Origin, envelope, snapshot, step_evolution
+from ..query import Curves, DatabaseKind, Origin, envelope, snapshot, step_evolution
 from ..table import csv_table, text_table
 from ..units import short
 from .cases import case_name
 from .console import Console
-from .flow import DatabaseKind, Request, Source
+from .flow import Request, Source
 from .points import Extent
 
 if TYPE_CHECKING:
     from ..database.read import Database, FoundationData
 
-_AXES = {0.0: "x", 90.0: "y", 180.0: "-x", 270.0: "-y", -90.0: "-y"}
+_AXES = {  # degrees from x
+    0.0: "x",
+    90.0: "y",
+    180.0: "-x",
+    270.0: "-y",
+    -90.0: "-y",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,9 +69,9 @@ def _curves(data: "FoundationData", request: Request) -> Curves:
 
 
 def _origin(database: "Database", data: "FoundationData") -> Origin:
-    direction = "magnitude"
+    direction = None
     if (axis := data.lateral_axis) is not None:
-        direction = f"positive along {_AXES.get(axis, f'{short(axis)} degrees from x')}"
+        direction = _AXES.get(axis, f"{short(axis)} degrees from x")
     return Origin(
         database.path.name, database.kind, database.title, data.name, data.mudline, direction
     )

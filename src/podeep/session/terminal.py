@@ -21,9 +21,7 @@ class TerminalConsole:
     Of several numbers on a line the first answers the question, and the rest wait for the next.
     """
 
-    def __init__(
-        self, dialogue: TextIO, results: TextIO, record: Record = no_record
-    ) -> None:
+    def __init__(self, dialogue: TextIO, results: TextIO, record: Record = no_record) -> None:
         self._dialogue = dialogue
         self._results = results
         self._record = record

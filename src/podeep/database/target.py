@@ -1,0 +1,84 @@
+"""Which files may be written, replaced or removed; what the disk refuses, in words."""
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import h5py
+
+from ..errors import Fault, UserError
+from .schema import SCHEMA
+
+REFUSED = (OSError, RuntimeError)  # what h5py raises where a file cannot be read or written
+
+
+def check_target(target: Path, *, force: bool) -> None:
+    """Raise UserError unless a database may be written under this name.
+
+    What is not a database of ours is never replaced, and one of ours only by force.
+    """
+    if not target.parent.is_dir():
+        raise UserError(
+            Fault(f"{target} cannot be written: {target.parent} is no folder", "make it first")
+        )
+    if not os.path.lexists(target):
+        return
+    if not is_ours(target):
+        raise UserError(
+            Fault(
+                f"{target} exists and is no soil database of this program; it is never overwritten",
+                "choose another name or folder, or move it away",
+            )
+        )
+    if not force:
+        raise UserError(Fault(f"{target} exists", "replace it with --force, or move it away"))
+
+
+def clear(leftover: Path) -> None:
+    """Remove what an earlier run left under this name; raises UserError if it is not ours."""
+    if not os.path.lexists(leftover):
+        return
+    if not is_ours(leftover):
+        raise UserError(
+            Fault(
+                f"{leftover} is in the way: it is no readable soil database of this program",
+                "move it away",
+            )
+        )
+    with told(leftover):
+        leftover.unlink()
+
+
+def is_ours(path: Path) -> bool:
+    """Whether a file carries our schema's name; raises UserError while another run writes it."""
+    if not path.is_file():
+        return False
+    try:
+        with h5py.File(path, "r", locking="best-effort") as file:
+            return bool(file.attrs.get("schema") == SCHEMA)
+    except BlockingIOError as error:
+        raise _busy(path) from error
+    except (*REFUSED, KeyError, TypeError, ValueError):
+        return False
+
+
+@contextmanager
+def told(path: Path) -> Iterator[None]:
+    """Turn what the disk refuses into words."""
+    try:
+        yield
+    except (FileExistsError, BlockingIOError) as error:
+        raise _busy(path) from error
+    except REFUSED as error:
+        number = getattr(error, "errno", None)
+        reason = os.strerror(number) if number else str(error)
+        raise UserError(
+            Fault(f"{path} cannot be written: {reason}", "free or choose another disk or folder")
+        ) from error
+
+
+def _busy(path: Path) -> UserError:
+    return UserError(
+        Fault(f"another run is writing {path}", "wait for its end, or choose another name")
+    )

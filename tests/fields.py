@@ -1,0 +1,43 @@
+"""Foundations with given fields, held in memory: what a query needs of a database's reader."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from podeep.arrays import Array
+
+Field = Callable[[Array, Array], Array]  # (steps or times, depths), broadcast against each other
+
+
+@dataclass
+class Foundation:
+    """Fields sampled on a grid; `windows` tells which depths were read."""
+
+    fields: Mapping[str, Field]
+    depth: Array
+    axis: Array
+    spatial: bool = False
+    lateral_axis: float | None = 0.0
+    layer_boundaries: Array = field(default_factory=lambda: np.array([5.0]))
+    name: str = "F1"
+    mudline: float = -100.0
+    windows: list[slice] = field(default_factory=list)
+
+    def read(
+        self, quantity: str, rows: Sequence[int] | None = None, depths: slice | None = None
+    ) -> Array:
+        window = slice(None) if depths is None else depths
+        self.windows.append(window)
+        stored = np.asarray(self.axis, dtype=float)
+        at = stored if rows is None else stored[rows]
+        shape = (len(at), len(self.depth[window]))
+        return np.broadcast_to(self.fields[quantity](at[:, None], self.depth[window]), shape)
+
+    def envelope(self, quantity: str) -> tuple[Array, Array, Array, Array]:
+        values = self.read(quantity)
+        return (
+            values.min(axis=0),
+            values.max(axis=0),
+            self.axis[values.argmin(axis=0)],
+            self.axis[values.argmax(axis=0)],
+        )

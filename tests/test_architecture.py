@@ -1,0 +1,81 @@
+"""Imports point one way, files stay small, and only the command line prints."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+SOURCE = Path(__file__).parents[1] / "src" / "podeep"
+
+#: Every module, lowest first: a file imports only from files above it in this list.
+ORDER = (
+    "__init__ arrays errors units scene "
+    "deck.__init__ deck.scan deck.keywords deck.read "
+    "soil.__init__ soil.law soil.backbone soil.lateral soil.axial soil.profile soil.curves "
+    "beam.__init__ beam.shapes beam.field beam.band "
+    "model.__init__ model.needs model.mesh model.system model.assemble model.recover "
+    "model.results model.grid "
+    "solve.__init__ solve.newton solve.statics solve.accuracy solve.analysis solve.diagnosis "
+    "database.__init__ database.schema database.write database.read "
+    "record report query table figure "
+    "session.__init__ session.question session.console session.flow "
+    "run cli.__init__ cli.common cli.podeep cli.solve"
+).split()
+
+FILES = sorted(SOURCE.rglob("*.py"))
+
+
+def name_of(file: Path) -> str:
+    return ".".join(file.relative_to(SOURCE).with_suffix("").parts)
+
+
+def imported(file: Path) -> set[str]:
+    """Modules of the package that a file imports anywhere, also inside functions."""
+    package = file.relative_to(SOURCE).parts[:-1]
+    found = set()
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.level:
+            base = package[: len(package) - node.level + 1]
+            stem = ".".join((*base, *(node.module.split(".") if node.module else ())))
+            for alias in node.names:
+                inner = f"{stem}.{alias.name}" if stem else alias.name
+                known = inner if inner in ORDER else stem or "__init__"
+                found.add(known if known in ORDER else f"{known}.__init__")
+        elif isinstance(node, ast.Import | ast.ImportFrom):
+            names = [a.name for a in node.names] if isinstance(node, ast.Import) else [node.module]
+            found.update(n for n in names if n and n.split(".")[0] == "podeep")
+    return found
+
+
+def test_the_list_names_every_file_once() -> None:
+    assert sorted(ORDER) == sorted(name_of(f) for f in FILES)
+
+
+@pytest.mark.parametrize("file", FILES, ids=name_of)
+def test_imports_point_up_the_list(file: Path) -> None:
+    place = ORDER.index(name_of(file))
+    below = {m for m in imported(file) if m not in ORDER or ORDER.index(m) >= place}
+    assert not below, f"{name_of(file)} imports {below}, which stand below it or nowhere"
+
+
+@pytest.mark.parametrize("file", [*FILES, *Path(__file__).parent.rglob("*.py")], ids=str)
+def test_no_file_is_two_rooms_in_one(file: Path) -> None:
+    assert len(file.read_text(encoding="utf-8").splitlines()) <= 400
+
+
+@pytest.mark.parametrize("file", [f for f in FILES if f.parent.name != "cli"], ids=name_of)
+def test_only_the_command_line_prints(file: Path) -> None:
+    calls = [n.func for n in ast.walk(ast.parse(file.read_text())) if isinstance(n, ast.Call)]
+    assert not [c for c in calls if isinstance(c, ast.Name) and c.id in ("print", "input")]
+
+
+def test_the_import_check_can_fail(tmp_path: Path) -> None:
+    planted = SOURCE / "units.py"
+    text = "def f():\n    from .scene import Scene\n    return Scene\n"
+    tree = {n for n in _names(text)}
+    assert tree == {"scene"}
+    assert ORDER.index("scene") > ORDER.index(name_of(planted))
+
+
+def _names(text: str) -> set[str]:
+    return {n.module for n in ast.walk(ast.parse(text)) if isinstance(n, ast.ImportFrom) and n.module}
