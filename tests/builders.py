@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
+
 from podeep.arrays import Array
 from podeep.database.schema import Kind, Status, variables
 from podeep.database.write import Grid, Writer
@@ -53,7 +54,7 @@ def static_database(
 ) -> Path:
     """A .dss with steps 0 to `steps`."""
     axis = np.arange(steps + 1)
-    grids = [_grid(name, depth, spatial) for name in foundations]
+    grids = [grid(name, depth, spatial=spatial) for name in foundations]
     with Writer(
         path, kind="static", title=title, deck_text=DECK, grids=grids, loads=loads, force=force
     ) as writer:
@@ -77,7 +78,7 @@ def dynamic_database(
 ) -> Path:
     """A .dst over the given times, 0 to 10 s by 0.1 s unless given."""
     axis = np.linspace(0.0, 10.0, 101) if times is None else np.asarray(times, dtype=float)
-    grids = [_grid(name, depth, spatial) for name in foundations]
+    grids = [grid(name, depth, spatial=spatial) for name in foundations]
     with Writer(
         path,
         kind="dynamic",
@@ -95,7 +96,7 @@ def dynamic_database(
     return path
 
 
-def _grid(name: str, depth: Array, spatial: bool) -> Grid:
+def grid(name: str, depth: Array = DEPTH, *, spatial: bool = False) -> Grid:
     return Grid(
         name=name,
         depth=depth,
@@ -120,9 +121,9 @@ def row_values(
     a = amplitude(kind, axis)
     rows = len(axis)
     values: dict[str, Array] = {}
-    for number, grid in enumerate(grids, start=1):
-        spatial = grid.lateral_axis is None
-        own = {name: field(name, a, grid.depth, number) for name in SHAPES}
+    for number, on in enumerate(grids, start=1):
+        spatial = on.lateral_axis is None
+        own = {name: field(name, a, on.depth, number) for name in SHAPES}
         if spatial:
             for name in [n for n in own if n.startswith("lateral")]:
                 own |= {f"{name}_{c}": share * own[name] for c, share in DIRECTION.items()}
@@ -133,10 +134,10 @@ def row_values(
             own["load_factor"] = np.multiply.outer(a, np.arange(1, len(loads) + 1))
         for index, variable in enumerate(variables(kind, spatial=spatial, loads=bool(loads))):
             if variable.group == "tubes" and not variable.is_scale:
-                for igr, elevation in grid.tubes.items():
+                for igr, elevation in on.tubes.items():
                     key = f"tubes/{igr}/{variable.name}"
                     own[key] = number * index * np.multiply.outer(a, elevation)
             elif variable.group in ("estimate", "convergence"):
                 own[f"{variable.group}/{variable.name}"] = np.full(rows, number)
-        values |= {f"{grid.name}/{name}": value for name, value in own.items()}
+        values |= {f"{on.name}/{name}": value for name, value in own.items()}
     return values

@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
+
 from podeep.arrays import Array
 
 Field = Callable[[Array, Array], Array]  # (steps or times, depths), broadcast against each other

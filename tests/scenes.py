@@ -44,7 +44,9 @@ def sand_shaft(id_: int) -> Curve:
 def linear_ground(modulus: float, diameter: float, friction: float = 1e3) -> Ground:
     """Lateral p = modulus y (N/m), by a user curve that is linear up to 1000 m."""
     curve = Curve(1, "user", {}, {}, ((1e3 * modulus / diameter, 1e3),))
-    shaft = Curve(1, "direct", {"unit_friction": 1e12, "initial_stiffness": friction}, {"shape": "EP"})
+    shaft = Curve(
+        1, "direct", {"unit_friction": 1e12, "initial_stiffness": friction}, {"shape": "EP"}
+    )
     return Ground((0.0, 1.0), (1, 1), (1, 1), {1: curve}, {1: shaft})
 
 

@@ -12,10 +12,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.interpolate import CubicHermiteSpline
+
 from decks import deck, solved
 from podeep.arrays import Array
 from podeep.database.read import Database, FoundationData
-from scipy.interpolate import CubicHermiteSpline
 
 DATA = Path(__file__).parent / "data" / "valid"
 HEAD, PROFILE = 1e-6, 2e-6
@@ -56,8 +57,13 @@ def close(found: Array, exact: Array, tolerance: float) -> None:
 
 
 def lateral(
-    profile: Profile, z: Array, exact: Mapping[str, Array], names: tuple[str, str, str, str],
-    modulus: Array, tolerance: float = PROFILE, stiffness: float | Array = 1.0,
+    profile: Profile,
+    z: Array,
+    exact: Mapping[str, Array],
+    names: tuple[str, str, str, str],
+    modulus: Array,
+    tolerance: float = PROFILE,
+    stiffness: float | Array = 1.0,
 ) -> None:
     """Compare displacement, slope, moment and shear; `modulus` is that of the soil on the grid."""
     y, slope, moment, shear = names
@@ -162,7 +168,10 @@ def test_cf04_matlock_reese(tmp_path: Path, length: float, head: str) -> None:
     tip = length * T
     row = f"0 {-tip!r} 1 0.1 200e9 7850 EI={STIFF!r} EA=1e9"
     text = deck(
-        title="Matlock and Reese", depths=[0, tip], moduli=[0, NH * tip], casing=[row],
+        title="Matlock and Reese",
+        depths=[0, tip],
+        moduli=[0, NH * tip],
+        casing=[row],
         actions=actions,
     )
     profile = Profile(solved(tmp_path, text))
@@ -199,8 +208,6 @@ def test_cf05_layers_and_step(tmp_path: Path, case: str, how: str) -> None:
     text = deck(title="layers", depths=depths, moduli=moduli, casing=rows, actions=actions)
     database, exact = solved(tmp_path, text), table("CF05_profiles.csv", case)
     profile, depth = Profile(database), exact["z_from_head_m"] - 2.0
-    k = np.select([profile.depth <= 0, profile.depth <= 3, profile.depth <= 8], [0, 4e6, 20e6], 12e6)
-    ei = np.where(profile.depth <= 3.0, 300e6, 180e6)
     names = ("y_m", "theta", "M_Nm", "V_N")
     assert profile.y[0] == pytest.approx(exact["y_m"][0], rel=HEAD)
     # grid depths hold every depth of the case, so nothing is interpolated across a step
@@ -210,7 +217,6 @@ def test_cf05_layers_and_step(tmp_path: Path, case: str, how: str) -> None:
         (profile.y, profile.slope, profile.moment, profile.shear), names, strict=True
     ):
         close(values[at], exact[name], PROFILE)
-    assert ei.shape == k.shape
 
 
 # CF06: axial, four bases
@@ -229,7 +235,12 @@ def test_cf06_axial_elastic(tmp_path: Path, case: str) -> None:
     row = "0 -25 1 0.1 200e9 7850 EI=1e9 EA=3e9"
     actions = ["*LOAD\nP 1 0 0 0 -1e6", *CF06_BASES[case], "*ACCURACY 1e-7"]
     text = deck(
-        title="axial", depths=[0, 25], moduli=[0, 0], axial=[1, 1], casing=[row], actions=actions,
+        title="axial",
+        depths=[0, 25],
+        moduli=[0, 0],
+        axial=[1, 1],
+        casing=[row],
+        actions=actions,
         extra=shaft,
     )
     profile, exact = Profile(solved(tmp_path, text)), table("CF06_profiles.csv", case)

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+
 from podeep.arrays import Array
 from podeep.beam.field import Field
 from podeep.model.assemble import assemble, cut, quadrature

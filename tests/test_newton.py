@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+
 from podeep.model.needs import Needs
 from podeep.scene import Numerics
 from podeep.solve.analysis import run, solve
@@ -79,5 +80,5 @@ def test_above_capacity_the_steps_below_are_kept(lateral: float, axial: float) -
     assert len(solved.states) == solved.failure.step
 
 
-def _with(scene):  # noqa: ANN001, ANN202
+def _with(scene):
     return scene, scene.foundations[0]

@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
-from fields import Foundation
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
+
+from fields import Foundation
 from podeep.query import envelope, snapshot, spread, step_evolution
 
 GRID = np.array([0.0, 0.7, 2.0, 5.0, 5.0 + 1e-6, 8.0, 9.5, 12.0])

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+
 from podeep.beam.shapes import gauss_integrals, gauss_interpolation, gauss_points, shape_functions
 
 FAMILIES = [(1, degree) for degree in (3, 4, 5, 6, 7)] + [(0, degree) for degree in (1, 2, 4, 6)]
@@ -11,7 +12,8 @@ ENDS = np.array([-1.0, 1.0])
 @pytest.mark.parametrize(("continuity", "degree"), FAMILIES)
 def test_nodal_functions_carry_the_shared_values_alone(continuity: int, degree: int) -> None:
     shared = np.stack(
-        [shape_functions(ENDS, continuity, degree, order) for order in range(continuity + 1)], axis=1
+        [shape_functions(ENDS, continuity, degree, order) for order in range(continuity + 1)],
+        axis=1,
     )
     nodal = continuity + 1
     expected = np.zeros((2, nodal, degree + 1))

@@ -72,10 +72,11 @@ class TestLayers:
         assert [t.name for t in reaction.laws] == ["soft_clay", "sand"]
         assert [t.at.tolist() for t in reaction.laws] == [[0], [1]]
 
-    def test_the_last_curve_goes_on(self):
+    @pytest.mark.parametrize("loads", [False, True])
+    def test_the_last_curve_goes_on(self, loads):
+        ground = profile((0, 5, 5, 12), (clay(1), clay(1), sand(2), sand(2)), loads=loads)
         overburden = 5 * 8e3 + 15 * 10e3
-        reaction = self.ground.lateral(np.full(5, 20.0), D)
-        same(reaction, (1.0, api_sand(20.0, overburden)))
+        same(ground.lateral(np.full(5, 20.0), D), (1.0, api_sand(20.0, overburden)))
 
     def test_order_of_points_does_not_matter(self):
         z, u = np.linspace(0.0, 15.0, 7), np.linspace(-0.1, 0.2, 7)

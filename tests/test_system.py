@@ -4,6 +4,7 @@ from math import cos, radians, sin
 
 import numpy as np
 import pytest
+
 from podeep.arrays import Array
 from podeep.model.assemble import Model, assemble, cut
 from podeep.model.mesh import edges
@@ -75,7 +76,7 @@ def test_rigid_motions_cost_the_beam_nothing(degree: int) -> None:
     field = model(reference_pile(), PLANAR, degree).lateral.system.field
     for motion in (lambda x: 1.0 + 0.0 * x, lambda x: 0.01 * x):
         q = np.zeros(field.size)
-        nodes = field.dofs[:, :1].ravel().tolist() + [field.dofs[-1, -2]]
+        nodes = [*field.dofs[:, :1].ravel().tolist(), field.dofs[-1, -2]]
         slope = motion(np.ones(1))[0] - motion(np.zeros(1))[0]
         q[nodes] = motion(field.edges)
         q[np.array(nodes) + 1] = slope * field.slope_length

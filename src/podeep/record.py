@@ -1,18 +1,14 @@
 """From solved foundations to a static database: the grid, the quantities, the writing."""
 
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
 from .arrays import Array
-from .database.write import Grid, Writer
-from .errors import ExitCode
+from .database.write import Grid
 from .model.grid import output_depths, tube_depths
 from .model.results import Results
 from .scene import Scene
-from .solve.accuracy import Estimate
 from .solve.analysis import Solved
 
 _COMPONENTS = ("x", "y")
@@ -33,7 +29,8 @@ def sheet(scene: Scene, solved: Solved) -> Sheet:
     foundation, axis = model.foundation, model.needs.lateral_axis
     depth = output_depths(results, scene.numerics.accuracy)
     tube = scene.tubes[foundation.tubes[0]]
-    x = tube_depths(results, depth, np.array(marks(scene, solved)))
+    marks = foundation.mudline - np.array(scene.marks(foundation))
+    x = tube_depths(results, depth, marks)
     grid = Grid(
         name=foundation.name,
         depth=depth,
@@ -52,13 +49,6 @@ def sheet(scene: Scene, solved: Solved) -> Sheet:
     }
     named = {f"{foundation.name}/{name}": value for name, value in values.items()}
     return Sheet(grid, np.array([s.step for s in solved.states]), named)
-
-
-def marks(scene: Scene, solved: Solved) -> list[float]:
-    """Depths where something acts on the tube at a point."""
-    foundation = solved.model.foundation
-    items = (*scene.supports, *scene.springs, *scene.loads, *scene.displacements)
-    return sorted({foundation.mudline - i.elevation for i in items if i.tube in foundation.tubes})
 
 
 def soil_values(results: Results, depth: Array, axis: float | None) -> dict[str, Array]:
@@ -109,16 +99,12 @@ def tube_values(results: Results, x: Array) -> dict[str, Array]:
 
 def progress_values(solved: Solved) -> dict[str, Array]:
     """Estimated errors and what the iteration took, per step."""
-    lateral, axial = solved.estimates
-
-    def worse(name: str) -> Array:
-        return np.maximum(getattr(lateral, name), getattr(axial, name))
-
+    errors = np.max([(e.displacement, e.reaction, e.moment) for e in solved.estimates], axis=0)
     states = solved.states
     return {
-        "estimate/displacement": worse("displacement"),
-        "estimate/reaction": worse("reaction"),
-        "estimate/moment": worse("moment"),
+        "estimate/displacement": errors[0],
+        "estimate/reaction": errors[1],
+        "estimate/moment": errors[2],
         "convergence/iterations": np.array([s.iterations for s in states]),
         "convergence/residual": np.array([s.residual for s in states]),
         "convergence/step_size": np.array([s.step_size for s in states]),

@@ -8,7 +8,7 @@ import numpy as np
 from .arrays import Array
 from .scene import Curve, Foundation, Ground, Scene, Section
 from .soil.curves import CurveTable
-from .soil.profile import Term
+from .soil.reaction import Term
 from .solve.analysis import Solved
 from .units import short
 
@@ -132,7 +132,8 @@ def summary(solved: Solved) -> dict[str, Any]:
     head = x[:1]
     moment = largest(results.shear_and_moment(x)[1][-1])
     place = int(np.argmax(moment))
-    lateral, axial = solved.estimates
+    last = [(e.displacement[-1], e.reaction[-1], e.moment[-1]) for e in solved.estimates]
+    displacements, reactions, moments = np.array(last).T.tolist()
     return {
         "foundation": model.foundation.name,
         "decisions": [str(d) for d in model.needs.decisions],
@@ -144,10 +145,10 @@ def summary(solved: Solved) -> dict[str, Any]:
         "head_axial_displacement_m": float(results.settlement(head)[-1, 0]),
         "largest_moment_Nm": float(moment[place]),
         "largest_moment_depth_m": float(x[place]),
-        "estimated_error_displacement": float(max(lateral.displacement[-1], axial.displacement[-1])),
-        "estimated_error_reaction": float(max(lateral.reaction[-1], axial.reaction[-1])),
-        "estimated_error_moment": float(max(lateral.moment[-1], axial.moment[-1])),
-        "largest_estimated_error": float(max(lateral.worst.max(), axial.worst.max())),
+        "estimated_error_displacement": max(displacements),
+        "estimated_error_reaction": max(reactions),
+        "estimated_error_moment": max(moments),
+        "largest_estimated_error": max(float(e.worst.max()) for e in solved.estimates),
     }
 
 
@@ -178,7 +179,9 @@ def run_report(numbers: dict[str, Any]) -> str:
 
 def step_table(solved: Solved) -> str:
     """A line for each step: factors, work and what was reached."""
-    lines = [f"    {'step':>5} {'iterations':>10} {'residual':>9} {'smallest part':>13} {'error':>8}"]
+    lines = [
+        f"    {'step':>5} {'iterations':>10} {'residual':>9} {'smallest part':>13} {'error':>8}"
+    ]
     worst = np.maximum(*(e.worst for e in solved.estimates))
     for state, error in zip(solved.states, worst, strict=True):
         lines.append(

@@ -273,3 +273,13 @@ class Scene:
     steps: Steps = Steps((), ())
     newton: Newton = Newton()
     numerics: Numerics = Numerics()
+
+    def marks(self, foundation: Foundation) -> tuple[float, ...]:
+        """Elevations at which something holds or drives the foundation's tubes, rising, m."""
+        places = (
+            *((s.tube, s.elevation) for s in self.supports),
+            *((s.tube, s.elevation) for s in self.springs),
+            *((load.tube, load.elevation) for load in self.loads),
+            *((d.tube, d.elevation) for d in self.displacements),
+        )
+        return tuple(sorted({elevation for tube, elevation in places if tube in foundation.tubes}))

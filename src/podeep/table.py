@@ -59,10 +59,7 @@ def heading(curves: Curves, origin: Origin, *, si: bool = False) -> list[tuple[s
     """What the table is of, as pairs of a name and its text."""
     quantity = QUANTITIES[curves.quantity]
     unit = quantity.si_unit if si else quantity.unit
-    direction = origin.direction if curves.quantity.startswith("lateral") else "down"
-    against = "against displacement " if curves.quantity.endswith("force") else ""
-    along = "down" if direction == "down" else f"along {direction}"
-    sign = f"positive {against}{along}" if direction else "magnitude"
+    sign = _sign(curves.quantity, origin)
     depths = curves.depths
     extent = short(depths[0])
     if len(depths) > 1:
@@ -84,6 +81,17 @@ def heading(curves: Curves, origin: Origin, *, si: bool = False) -> list[tuple[s
         name, last = f"{origin.axis}s", with_unit(rows.max(), origin.axis)
         pairs.append((name.capitalize(), f"{short(rows.min())} to {last}, {len(rows)} {name}"))
     return pairs
+
+
+def _sign(quantity: str, origin: Origin) -> str:
+    """Which way a value counts as positive."""
+    lateral, reaction = quantity.startswith("lateral"), quantity.endswith("force")
+    if not lateral:
+        return "positive against downward displacement" if reaction else "positive down"
+    if origin.direction is None:
+        return "magnitude"
+    against = "against displacement " if reaction else ""
+    return f"positive {against}along {origin.direction}"
 
 
 def _columns(curves: Curves, origin: Origin) -> tuple[_Column, list[_Column]]:

@@ -25,11 +25,12 @@ import numpy as np
 import openseespy.opensees as ops
 
 path.insert(0, str(Path(__file__).parents[1]))
-from podeep.model.results import Results  # noqa: E402
-from podeep.scene import Numerics  # noqa: E402
-from podeep.soil.profile import Profile, Reaction  # noqa: E402
-from podeep.solve.analysis import limits, run, solve  # noqa: E402
-from scenes import reference_pile  # noqa: E402
+from podeep.model.results import Results
+from podeep.scene import Numerics
+from podeep.soil.profile import Profile
+from podeep.soil.reaction import Reaction
+from podeep.solve.analysis import limits, run, solve
+from scenes import reference_pile
 
 STEPS, FREE, EMBEDDED, DIAMETER = 10, 10.0, 40.0, 2.0
 TOLERANCE = 1e-7  # of OpenSees' residual over the load; less stalls on rounding
@@ -166,10 +167,12 @@ def main() -> None:
     ours = []
     for elements, degree in ((13, 3), (8, 5), (13, 5)):
         y, m, body, count = largest_values(elements, degree)
-        ours.append((f"podeep, {count - 1} embedded elements of degree {degree}", error((y, m)), body))
+        ours.append(
+            (f"podeep, {count - 1} embedded elements of degree {degree}", error((y, m)), body)
+        )
     series = (40, 80, 120, 160, 200, 240, 280, 320)
     for dimensions in (2, 3):
-        found = next((n for n in series if error(opensees_values(n, dimensions)) <= options.error))
+        found = next(n for n in series if error(opensees_values(n, dimensions)) <= options.error)
         name = f"OpenSees {dimensions}-D, {found} embedded elements"
         rival = error(opensees_values(found, dimensions))
         times: list[list[float]] = [[] for _ in range(len(ours) + 1)]
@@ -182,7 +185,8 @@ def main() -> None:
         print(f"\n{name}: error {rival:.1e}, {1e3 * base:.2f} ms")
         for spent, (label, miss, _) in zip(times[1:], ours, strict=True):
             median = statistics.median(spent)
-            print(f"{label}: error {miss:.1e}, {1e3 * median:.2f} ms, {base / median:.1f} times faster")
+            ratio = f"{base / median:.1f} times faster"
+            print(f"{label}: error {miss:.1e}, {1e3 * median:.2f} ms, {ratio}")
 
 
 if __name__ == "__main__":

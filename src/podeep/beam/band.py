@@ -32,12 +32,12 @@ def bandwidth(dofs: Index) -> int:
 
 def scatter(place: Index, values: Array, size: int) -> Array:
     """Sum values at their places in a flat storage of the given size."""
-    return np.bincount(place.ravel(), weights=values.ravel(), minlength=size)
+    return np.bincount(place.ravel(), values.ravel(), size).astype(np.float64, copy=False)
 
 
-def scatter_matrix(place: Index, values: Array, source: Index, shape: tuple[int, int]) -> (
-    sparse.csr_array
-):
+def scatter_matrix(
+    place: Index, values: Array, source: Index, shape: tuple[int, int]
+) -> sparse.csr_array:
     """Sparse matrix that spreads one number a point over the band; duplicates are summed."""
     entries = sparse.coo_array((values.ravel(), (place.ravel(), source.ravel())), shape=shape)
     return sparse.csr_array(entries)

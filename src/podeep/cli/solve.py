@@ -80,9 +80,7 @@ def run(options: argparse.Namespace) -> ExitCode:
     """Solve a deck and write its static database."""
     from ..run import run_deck
 
-    done = run_deck(
-        options.deck, options.directory, force=options.force, accuracy=options.accuracy
-    )
+    done = run_deck(options.deck, options.directory, force=options.force, accuracy=options.accuracy)
     for warning in done.warnings:
         print(f"podeep-solve: warning: {warning}", file=sys.stderr)
     if options.json:

@@ -10,13 +10,12 @@ import numpy as np
 import numpy.typing as npt
 
 from ..arrays import Array
+from .envelope import Values
 from .schema import AXES, COMMITTED, Kind, Variable, places, variables
 
 _CHUNK = (1024, 20)  # rows and depths: serves an evolution in time and a snapshot alike
 _GZIP = 4
 _RESULT = {"static": np.float64, "dynamic": np.float32}
-
-Values = npt.NDArray[Any]
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +75,7 @@ class Layout:
     kind: Kind
     grids: Sequence[Grid]
     loads: Sequence[str]
-    dtype: npt.DTypeLike
+    dtype: npt.DTypeLike | None
     compress: bool
 
     @property

@@ -36,7 +36,8 @@ class Variable:
     """A variable of a foundation's group, or of a group inside it.
 
     number: "result" has the precision of the database, "coordinate" is always float64, "integer"
-    is int32, "text" a string without units. A variable named as its only dimension is that dimension's scale.
+    is int32, "text" a string without units. A variable named as its only dimension is the scale
+    of that dimension.
     """
 
     name: str
@@ -170,12 +171,8 @@ VARIABLES: tuple[Variable, ...] = (
         "displacement", ("axis",), "1", "error of the displacement", _RELATIVE, group="estimate"
     ),
     Variable("reaction", ("axis",), "1", "error of the reaction", _RELATIVE, group="estimate"),
-    Variable(
-        "moment", ("axis",), "1", "error of the largest moment", _RELATIVE, group="estimate"
-    ),
-    Variable(
-        "iterations", ("axis",), "1", "iterations", group="convergence", number="integer"
-    ),
+    Variable("moment", ("axis",), "1", "error of the largest moment", _RELATIVE, group="estimate"),
+    Variable("iterations", ("axis",), "1", "iterations", group="convergence", number="integer"),
     Variable(
         "residual",
         ("axis",),

@@ -21,7 +21,8 @@ import numpy.typing as npt
 
 from .. import __version__
 from ..errors import UserError
-from .layout import Grid, Layout, Values
+from .envelope import Values, widen
+from .layout import Grid, Layout
 from .schema import (
     COMMITTED,
     CONVENTIONS,
@@ -63,7 +64,7 @@ class Writer:
         loads: Sequence[str],
         history: str = "",
         force: bool = False,
-        dtype: npt.DTypeLike = None,
+        dtype: npt.DTypeLike | None = None,
         compress: bool = False,
         block: int = 1024,
     ) -> None:
@@ -143,7 +144,7 @@ class Writer:
         for name, axis in self._axes.items():
             for quantity in QUANTITIES:
                 path = f"{name}/envelope/{quantity}"
-                _widen(self._envelope, path, rows[f"{name}/{quantity}"], rows[axis])
+                widen(self._envelope, path, rows[f"{name}/{quantity}"], rows[axis])
         first, end = self._committed, self._committed + self._waiting
         if end > self._room:
             self._move(max(2 * self._room, end), "running")
@@ -213,18 +214,6 @@ class Writer:
             with suppress(*REFUSED):  # what it holds is in place already, or was told to be lost
                 self._file.close()
             self._file = None
-
-
-def _widen(envelope: dict[str, Values], path: str, values: Values, axis: Values) -> None:
-    """Widen the envelope of a quantity, shape (depths,), by rows of values."""
-    for name, argument, beyond in (("min", np.argmin, np.less), ("max", np.argmax, np.greater)):
-        bound, when = f"{path}_{name}", f"{path}_{name}_at"
-        row = argument(values, axis=0)
-        found = np.take_along_axis(values, row[None], axis=0)[0]
-        old = envelope.get(bound)
-        new = np.full(found.shape, True) if old is None else beyond(found, old)
-        envelope[bound] = np.where(new, found, found if old is None else old)
-        envelope[when] = np.where(new, axis[row], envelope.get(when, axis[row]))
 
 
 def _synchronise(path: Path) -> None:

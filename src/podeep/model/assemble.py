@@ -15,7 +15,7 @@ from ..beam.shapes import gauss_points
 from ..errors import InvalidData
 from ..scene import Dof, Foundation, Scene
 from ..soil.profile import Profile
-from .mesh import Stretch, edges, stretches
+from .mesh import Stretch, stretches
 from .needs import Needs
 from .system import Points, Spring, System
 
@@ -68,16 +68,11 @@ class Model:
         return len(self.edges) - 1
 
 
-def special_depths(scene: Scene, foundation: Foundation) -> list[float]:
-    """Depths of loads, holds and springs, where an element must end."""
-    items = (*scene.supports, *scene.springs, *scene.loads, *scene.displacements)
-    return [foundation.mudline - i.elevation for i in items if i.tube == foundation.tubes[0]]
-
-
 def cut(scene: Scene, foundation: Foundation, profile: Profile) -> tuple[Stretch, ...]:
     """The foundation's stretches of uniform section and soil layer."""
     tube = scene.tubes[foundation.tubes[0]]
-    return stretches(tube, foundation.mudline, profile, special_depths(scene, foundation))
+    depths = [foundation.mudline - elevation for elevation in scene.marks(foundation)]
+    return stretches(tube, foundation.mudline, profile, depths)
 
 
 def assemble(
@@ -189,7 +184,8 @@ class _Collector:
 
     def holds(self) -> tuple[list[Spring], Index]:
         """Springs to ground and the held unknowns."""
-        springs, held = [], set()
+        springs: list[Spring] = []
+        held: set[int] = set()
         for spring in self.scene.springs:
             if spring.tube == self.tube:
                 for unknown, cosine, length in self.unknowns(spring.elevation, spring.dof):

@@ -1,5 +1,7 @@
 """Depths at which results are written, so close that the stated interpolation is exact enough."""
 
+import itertools
+
 import numpy as np
 
 from ..arrays import Array
@@ -17,7 +19,8 @@ _PROBES = np.array([0.25, 0.5, 0.75])
 def regular(first: float, last: float) -> Array:
     """Multiples of a round spacing from `first` to `last`, m."""
     spacing = next((s for s in _ROUND if (last - first) / s <= _MOST_ROUND), _ROUND[-1])
-    return spacing * np.arange(np.ceil(first / spacing - 1e-9), np.floor(last / spacing + 1e-9) + 1)
+    lowest, highest = np.ceil(first / spacing - 1e-9), np.floor(last / spacing + 1e-9)
+    return np.asarray(spacing * np.arange(lowest, highest + 1.0))
 
 
 def merge(*groups: Array) -> Array:
@@ -31,7 +34,7 @@ def soil_jumps(results: Results) -> Array:
     ground = results.model.profile.ground
     pieces: tuple[Stretch, ...] = results.model.pieces
     twice = {d for d in ground.depths if ground.depths.count(d) > 1}
-    for above, below in zip(pieces, pieces[1:], strict=False):
+    for above, below in itertools.pairwise(pieces):
         if above.section.outer_diameter != below.section.outer_diameter:
             twice.add(above.bottom)
     tip = pieces[-1].bottom

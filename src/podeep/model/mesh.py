@@ -4,6 +4,7 @@ A deflected pile lives on the length L = (4 EI / k)^(1/4), k being the soil's mo
 1946): the size of an element is a share of it. Free tube needs one element a stretch.
 """
 
+import itertools
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
@@ -48,7 +49,7 @@ def stretches(
             cuts.append(x)
     cuts.append(tip)
     pieces = []
-    for a, b in zip(cuts, cuts[1:], strict=False):
+    for a, b in itertools.pairwise(cuts):
         middle = mudline - 0.5 * (a + b)
         section = next(s for s in tube.sections if s.top >= middle >= s.bottom)
         pieces.append(Stretch(a, b, section))
@@ -103,9 +104,7 @@ def edges(
     counts = np.maximum(np.ceil(amount / size - 1e-9), 1.0).astype(int)
     if elements is not None:
         counts = apportion(amount, max(elements, len(pieces)))
-    cut = [
-        divide(p, d, int(n)) for p, d, n in zip(pieces, density, counts, strict=True)
-    ]
+    cut = [divide(p, d, int(n)) for p, d, n in zip(pieces, density, counts, strict=True)]
     return np.concatenate([*cut, [pieces[-1].bottom]])
 
 

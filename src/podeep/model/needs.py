@@ -100,8 +100,10 @@ def needs(scene: Scene, foundation: Foundation) -> Needs:
     if axis is None:
         return Needs(None, 2, (Decision("spatial", "the loads share no plane"),))
     if axis in (0.0, 90.0) or isotropic(scene, foundation):
-        reason = f"all loads share the plane at {axis:g} degrees from x" if vectors else (
-            "no lateral load"
+        reason = (
+            f"all loads share the plane at {axis:g} degrees from x"
+            if vectors
+            else ("no lateral load")
         )
         return Needs(axis, 1, (Decision("planar", reason),))
     return Needs(axis, 2, (Decision("spatial", "supports or springs differ in x and y"),))

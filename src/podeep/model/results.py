@@ -4,10 +4,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from scipy import sparse
 
 from ..arrays import Array, Index
 from ..beam.field import Field
-from ..soil.profile import Reaction
+from ..soil.reaction import Reaction
 from .assemble import Model
 from .recover import EndForces, end_forces, internal_forces
 from .system import secant
@@ -108,8 +109,7 @@ def embedded(field: Field) -> Index:
     return np.flatnonzero(field.edges[1:] > 1e-6)
 
 
-def product(unknowns: Array, matrix: object) -> Array:
+def product(unknowns: Array, matrix: sparse.csr_array) -> Array:
     """Apply an interpolation matrix to the last axis of stacked unknowns."""
     flat = unknowns.reshape(-1, unknowns.shape[-1])
     return np.asarray((matrix @ flat.T).T).reshape(*unknowns.shape[:-1], -1)
-

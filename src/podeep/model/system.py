@@ -7,17 +7,19 @@ soil's reaction. A deflection may have two components: then q interleaves them a
 a vector along the displacement, with the secant p/r across it and the tangent p' along it.
 """
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 from scipy import sparse
 from scipy.linalg import lapack
 
 from ..arrays import Array, Index
 from ..beam.band import band_place, bandwidth, pairs, scatter, scatter_matrix
 from ..beam.field import Field
-from ..soil.profile import Reaction
+from ..soil.reaction import Reaction
 
 _DENSE = 40_000  # entries below which a dense product beats a sparse one (call overhead)
 
@@ -54,7 +56,7 @@ class System:
         self.size = field.size * components
         self.held = held
         cuts = np.cumsum([0, *(len(p.x) for p in points)])
-        self._slices = [slice(a, b) for a, b in zip(cuts[:-1], cuts[1:], strict=True)]
+        self._slices = [slice(a, b) for a, b in itertools.pairwise(cuts)]
         x = np.concatenate([p.x for p in points]) if points else np.zeros(0)
         weight = np.concatenate([p.weight for p in points]) if points else np.zeros(0)
         self.weight = weight
@@ -94,17 +96,16 @@ class System:
         rows, values = columns + diagonals, band[band != 0.0]
         shape = (self.size, self.size)
         lower = sparse.coo_array((values, (rows, columns)), shape=shape)
-        strict = sparse.coo_array(
-            (values * (rows != columns), (columns, rows)), shape=shape
-        )
+        strict = sparse.coo_array((values * (rows != columns), (columns, rows)), shape=shape)
         return sparse.csr_array(lower + strict)
 
-    def _kept(self, free: Array) -> Array:
+    def _kept(self, free: npt.NDArray[np.bool_]) -> Array:
         """1 where row and column of a stored entry are both free, 0 elsewhere."""
         column = np.repeat(np.arange(self.size), self.width)
         row = column + np.tile(np.arange(self.width), self.size)
         inside = row < self.size
-        return np.asarray(inside & free[column] & free[np.minimum(row, self.size - 1)], dtype=float)
+        kept = inside & free[column] & free[np.minimum(row, self.size - 1)]
+        return kept.astype(np.float64)
 
     def _spreading(self, shape: sparse.csr_array, keep: Array, storage: int) -> sparse.csr_array:
         """Matrix from the moduli at the points to the band they add to."""

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..errors import Fault, UserError
 from ..figure import save
 from ..query import Curves, DatabaseKind, Origin, envelope, snapshot, step_evolution
 from ..table import csv_table, text_table
@@ -47,14 +48,22 @@ class Results:
 
 
 def sources(databases: Mapping[DatabaseKind, "Database"]) -> tuple[Source, ...]:
-    """The open databases as the flow sees them."""
+    """The open databases as the flow sees them.
+
+    Raises `UserError` for one that holds no step or time yet.
+    """
     return tuple(
-        Source(kind, {name: _extent(database.foundation(name)) for name in database.foundations})
+        Source(kind, {name: _extent(database, name) for name in database.foundations})
         for kind, database in databases.items()
     )
 
 
-def _extent(data: "FoundationData") -> Extent:
+def _extent(database: "Database", name: str) -> Extent:
+    data = database.foundation(name)
+    if not len(data.axis):
+        raise UserError(
+            Fault(f"{database.path} holds no results of {name}", "run the analysis again")
+        )
     return Extent((float(data.depth[0]), float(data.depth[-1])), data.axis)
 
 

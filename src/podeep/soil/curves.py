@@ -5,12 +5,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array
-from .profile import Profile, Reaction
+from .profile import Profile
+from .reaction import Reaction
 
 #: displacements shown where none are asked for, in diameters
 _SHOWN = np.array(
-    [0.0, 0.0001, 0.0002, 0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.03, 0.05, 0.075, 0.1, 0.15]
-    + [0.2, 0.3]
+    (
+        *(0.0, 0.0001, 0.0002, 0.0005, 0.001, 0.002, 0.005, 0.01),
+        *(0.02, 0.03, 0.05, 0.075, 0.1, 0.15, 0.2, 0.3),
+    )
 )
 
 

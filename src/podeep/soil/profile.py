@@ -2,8 +2,6 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, fields
-from functools import cached_property
-from itertools import pairwise
 from math import pi
 from types import MappingProxyType
 from typing import Any, Literal
@@ -16,6 +14,7 @@ from ..scene import Curve, Ground
 from . import axial, lateral
 from .backbone import user_law
 from .law import Law
+from .reaction import Reaction, Term
 
 Family = Literal["p-y", "t-z"]
 
@@ -49,97 +48,6 @@ _TIP = _Kind(
     lambda diameter: 0.25 * pi * diameter**2,
     compression_only=True,
 )
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Term:
-    """One law in force at some points of a reaction.
-
-    at: the points, rising. weight: share of the law at each of them; None is 1. name: the law as
-    curves name it. curves: ids of the curves that its parameters come from.
-    """
-
-    at: Index
-    weight: Array | None
-    law: Law
-    name: str
-    curves: tuple[int, ...]
-
-    @property
-    def parameters(self) -> dict[str, Any]:
-        """What the law was given, by its own names: floats, arrays over the points, options."""
-        return {f.name: getattr(self.law, f.name) for f in fields(self.law)}  # type: ignore[arg-type]  # every law is a dataclass
-
-
-@dataclass(frozen=True, eq=False)
-class Reaction:
-    """The soil's reaction at n points: a weighted sum of laws; none is no reaction."""
-
-    size: int
-    laws: tuple[Term, ...]
-
-    @cached_property
-    def odd(self) -> bool:
-        """Whether force(-u) == -force(u) at every point."""
-        return all(term.law.odd for term in self.laws)
-
-    @cached_property
-    def capacity(self) -> Array:
-        """Bound of |force| at each point, shape (n,)."""
-        total = np.zeros(self.size)
-        for term in self.laws:
-            share = 1.0 if term.weight is None else term.weight
-            total[term.at] += share * term.law.capacity
-        return total
-
-    @cached_property
-    def _only(self) -> Law | None:
-        """The law of all points where there is just one."""
-        if len(self.laws) == 1 and self.laws[0].weight is None:
-            return self.laws[0].law if len(self.laws[0].at) == self.size else None
-        return None
-
-    @cached_property
-    def _plan(self) -> tuple[Index, list[slice], Array | None, list[Index]]:
-        """How points are packed so that each law has its own stretch, and how they come back.
-
-        The points in packed order; each law's stretch; its weights; and the places in the packed
-        order that add up to each point, one after the other (the last place holds 0).
-        """
-        packed = np.concatenate([np.zeros(0, dtype=np.intp), *(term.at for term in self.laws)])
-        ends = np.cumsum([0, *(len(term.at) for term in self.laws)])
-        stretches = [slice(a, b) for a, b in pairwise(ends.tolist())]
-        shares = [np.ones(len(t.at)) if t.weight is None else t.weight for t in self.laws]
-        weighted = any(term.weight is not None for term in self.laws)
-        seen = np.zeros(self.size, dtype=np.intp)
-        places = np.full((max(len(self.laws), 1), self.size), len(packed))
-        for term, stretch in zip(self.laws, stretches, strict=True):
-            places[seen[term.at], term.at] = np.arange(stretch.start, stretch.stop)
-            seen[term.at] += 1
-        depth = max(int(seen.max(initial=0)), 1)
-        return packed, stretches, np.concatenate(shares) if weighted else None, list(places[:depth])
-
-    def evaluate(self, u: Array) -> tuple[Array, Array]:
-        """Force and its derivative at displacements u of shape (..., n): N/m, or N at a tip."""
-        if self._only is not None:
-            return self._only.evaluate(u)
-        packed, stretches, weight, places = self._plan
-        v = u.take(packed, axis=-1)
-        force = np.zeros((*u.shape[:-1], len(packed) + 1))
-        stiffness = np.zeros(force.shape)
-        for term, stretch in zip(self.laws, stretches, strict=True):
-            force[..., stretch], stiffness[..., stretch] = term.law.evaluate(v[..., stretch])
-        if weight is not None:
-            force[..., :-1] *= weight
-            stiffness[..., :-1] *= weight
-        return _unpacked(force, places), _unpacked(stiffness, places)
-
-
-def _unpacked(packed: Array, places: list[Index]) -> Array:
-    total = packed.take(places[0], axis=-1)
-    for more in places[1:]:
-        total += packed.take(more, axis=-1)
-    return total
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -13,8 +13,8 @@ import numpy as np
 
 from ..arrays import Array
 from ..beam.field import Field
-from ..model.assemble import Model, Problem
 from ..beam.shapes import gauss_interpolation, gauss_points
+from ..model.assemble import Model, Problem
 from ..model.results import Results, embedded
 from .newton import Limits, newton
 from .statics import State
@@ -40,7 +40,7 @@ class Estimate:
     @property
     def worst(self) -> Array:
         """Largest relative error of each step, shape (steps,)."""
-        return np.max([self.displacement, self.reaction, self.moment], axis=0)
+        return np.asarray(np.max([self.displacement, self.reaction, self.moment], axis=0))
 
 
 def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
@@ -91,7 +91,7 @@ def _change_of_largest(new: Array, old: Array) -> Array:
 
 
 def _largest(values: Array) -> Array:
-    return np.abs(values).reshape(len(values), -1).max(axis=1, initial=0.0)
+    return np.asarray(np.abs(values).reshape(len(values), -1).max(axis=1, initial=0.0))
 
 
 def _ratio(change: Array, size: Array) -> Array:

@@ -1,0 +1,118 @@
+"""What an open database holds of one foundation; values are read when asked for."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Array, Index
+from .envelope import Values, widen
+from .schema import EXTREMES
+from .trust import reading, wrong
+
+_LARGEST_READ = 2**32  # bytes
+_BLOCK = 1024  # rows read at once for an envelope
+
+
+@dataclass(frozen=True, eq=False)
+class FoundationData:
+    """What a database holds of one foundation.
+
+    depth: m below the mudline, increasing, shape (depths,). axis: steps or times (s), shape
+    (rows,). mudline: elevation, m. lateral_axis: degrees from x, None in a spatial scene. layer,
+    tube: soil layer and outermost tube at each depth. elevations: of each tube's results, by id.
+    """
+
+    name: str
+    depth: Array
+    axis: Array
+    mudline: float
+    lateral_axis: float | None
+    layer_boundaries: Array
+    layer: Index
+    tube: Index
+    load_names: tuple[str, ...]
+    elevations: Mapping[int, Array]
+    path: Path
+    finished: bool
+    datasets: Mapping[str, Any]
+
+    @property
+    def spatial(self) -> bool:
+        """Whether lateral values are magnitudes, with components beside them."""
+        return self.lateral_axis is None
+
+    @property
+    def tubes(self) -> tuple[int, ...]:
+        """Ids of the tubes."""
+        return tuple(self.elevations)
+
+    @cached_property
+    def load_factor(self) -> Array:
+        """Factor of each named load in each row, shape (rows, loads)."""
+        if not self.load_names:
+            return np.empty((len(self.axis), 0))
+        return self.read("load_factor")
+
+    def read(
+        self,
+        quantity: str,
+        rows: int | slice | Sequence[int] | Index | None = None,
+        depths: slice | None = None,
+    ) -> Array:
+        """Values in the given rows (None: all), shape (rows, depths), or (rows,) without depths.
+
+        Any variable with a row for each step or time: `lateral_force`, `estimate/moment`.
+        Raises UserError where the file turns out to be damaged, KeyError for an unknown name and
+        IndexError for an unknown row.
+        """
+        wanted = np.atleast_1d(np.arange(len(self.axis))[slice(None) if rows is None else rows])
+        data = self.datasets[quantity]
+        if not wanted.size:
+            return np.empty((0, *data.shape[1:]))
+        different, place = np.unique(wanted, return_inverse=True)
+        spacing = np.diff(different)
+        even = bool(np.all(spacing == spacing[:1]))
+        stride = int(spacing[0]) if spacing.size else 1
+        picked = slice(int(different[0]), int(different[-1]) + 1, stride) if even else different
+        of_row = np.empty(data.shape[1:])[... if depths is None else depths].size
+        if 8 * different.size * of_row > _LARGEST_READ:
+            raise wrong(
+                self.path,
+                f"{quantity} of {different.size} rows is too much at once",
+                "ask for less",
+            )
+        return self._load(quantity, (picked, *([] if depths is None else [depths])))[place]
+
+    def read_tube(
+        self, igr: int, quantity: str, rows: int | slice | Sequence[int] | None = None
+    ) -> Array:
+        """Values of a tube at its elevations, shape (rows, elevations)."""
+        return self.read(f"tubes/{igr}/{quantity}", rows)
+
+    def envelope(self, quantity: str) -> tuple[Array, Array, Array, Array]:
+        """Minimum and maximum over all rows, and the step or time of each, shape (depths,)."""
+        if self.finished:
+            found = {e: self._load(f"envelope/{quantity}_{e}", ()) for e in EXTREMES}
+        else:
+            found = self._computed_envelope(quantity)
+        return found["min"], found["max"], found["min_at"], found["max_at"]
+
+    def _computed_envelope(self, quantity: str) -> dict[str, Array]:
+        # The stored one of an unfinished database may be ahead of the rows committed.
+        found: dict[str, Values] = {}
+        for first in range(0, len(self.axis), _BLOCK):
+            block = slice(first, first + _BLOCK)
+            widen(found, quantity, self.read(quantity, block), self.axis[block])
+        return {e: found[f"{quantity}_{e}"] for e in EXTREMES}
+
+    def _load(self, name: str, selection: tuple[Any, ...]) -> Array:
+        data = self.datasets[name]
+        with reading(self.path):
+            values = np.asarray(data[selection], dtype=np.float64)
+        if not np.all(np.isfinite(values)):
+            raise wrong(self.path, f"{self.name}/{name} holds values that are not finite")
+        return values

@@ -1,0 +1,243 @@
+"""The reader of soil databases, finished ones and those that a run is still writing.
+
+Opening checks the whole structure and reads coordinates only; values are read when asked for. Of a
+database that is not finished only the rows are seen that were committed when it was opened.
+"""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from hashlib import sha256
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Self, TypeVar
+
+import h5py
+import numpy as np
+
+from ..arrays import Array
+from ..errors import Fault, UserError
+from .foundation import FoundationData
+from .schema import (
+    AXES,
+    COMMITTED,
+    DECK,
+    ENDINGS,
+    KINDS,
+    MAJOR,
+    MINOR,
+    PARTIAL,
+    SCHEMA,
+    STATUSES,
+    Kind,
+    Status,
+    places,
+    variables,
+)
+from .trust import dataset, member, numbers, opened, reading, text, wrong
+
+__all__ = ["Database", "FoundationData", "open_database"]
+
+T = TypeVar("T", bound=str)
+
+_FOUNDATION = re.compile(r"F\d+")
+
+
+@dataclass(frozen=True, eq=False)
+class Database:
+    """An open database; a context manager that closes it.
+
+    foundations: their names in the order of the file.
+    """
+
+    path: Path
+    kind: Kind
+    title: str
+    status: Status
+    stop_reason: str
+    version: str
+    _file: Any
+    _data: Mapping[str, FoundationData]
+
+    @property
+    def foundations(self) -> tuple[str, ...]:
+        return tuple(self._data)
+
+    def foundation(self, name: str) -> FoundationData:
+        """The data of a foundation; raises UserError for a name that the database does not have."""
+        if name not in self._data:
+            has = ", ".join(self._data)
+            raise UserError(Fault(f"{self.path}: there is no foundation {name}", f"it has {has}"))
+        return self._data[name]
+
+    @cached_property
+    def deck_text(self) -> str:
+        """The deck that was solved, includes resolved."""
+        with reading(self.path):
+            data = member(self.path, self._file, DECK)
+            if not isinstance(data, h5py.Dataset) or data.shape != ():
+                raise wrong(self.path, f"{DECK} is no text")
+            deck = data.asstr()[()]
+            if sha256(deck.encode()).hexdigest() != text(self.path, data, "sha256"):
+                raise wrong(self.path, f"{DECK} does not agree with its checksum")
+        return str(deck)
+
+    def close(self) -> None:
+        self._file.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, _: TracebackType | None
+    ) -> None:
+        self.close()
+
+
+def open_database(path: Path) -> Database:
+    """Open a database, finished or not, and check its structure.
+
+    Raises UserError for what is no soil database, of another schema version, damaged or hostile.
+    """
+    file = opened(path)
+    try:
+        with reading(path):
+            return _database(path, file)
+    except BaseException:
+        file.close()
+        raise
+
+
+def _database(path: Path, file: Any) -> Database:
+    if "schema" not in file.attrs or text(path, file, "schema") != SCHEMA:
+        raise wrong(
+            path,
+            "no soil database: an HDF5 file of another program",
+            "name a database that podeep-solve has written",
+        )
+    _check_version(path, text(path, file, "schema_version"))
+    kind = _one_of(path, file, "kind", KINDS)
+    status = _one_of(path, file, "status", STATUSES)
+    ending = Path(path.name.removesuffix(PARTIAL)).suffix.lower()
+    if ENDINGS.get(ending, kind) != kind:
+        right = next(e for e, k in ENDINGS.items() if k == kind)
+        raise wrong(
+            path, f"a {kind} database that ends in {ending}", f"rename it to end in {right}"
+        )
+    committed = _committed(path, file) if status == "running" else None
+    names = [name for name in file if _FOUNDATION.fullmatch(name)]
+    if not names:
+        raise wrong(path, "it holds no foundation")
+    return Database(
+        path=path,
+        kind=kind,
+        title=text(path, file, "title"),
+        status=status,
+        stop_reason=text(path, file, "stop_reason"),
+        version=text(path, file, "version"),
+        _file=file,
+        _data={name: _foundation(path, file, name, kind, committed) for name in names},
+    )
+
+
+def _one_of(path: Path, file: Any, name: str, allowed: tuple[T, ...]) -> T:
+    value = text(path, file, name)
+    for one in allowed:
+        if one == value:
+            return one
+    raise wrong(path, f"{name} is {value!r}, none of {', '.join(allowed)}")
+
+
+def _check_version(path: Path, version: str) -> None:
+    found = re.fullmatch(r"(\d{1,4})\.(\d{1,4})", version)
+    if found is None:
+        raise wrong(path, f"schema_version is {version!r}, not as {MAJOR}.{MINOR}")
+    if int(found[1]) != MAJOR:
+        raise wrong(
+            path,
+            f"its schema is {version}, this program reads {MAJOR}.x",
+            "use the version of the program that wrote it, or run the analysis again",
+        )
+
+
+def _committed(path: Path, file: Any) -> int:
+    counter = member(path, file, COMMITTED)
+    if not isinstance(counter, h5py.Dataset) or counter.shape != () or counter.dtype.kind != "i":
+        raise wrong(path, f"{COMMITTED} is no number of rows")
+    return int(counter[()])
+
+
+def _foundation(
+    path: Path, file: Any, name: str, kind: Kind, committed: int | None
+) -> FoundationData:
+    group = member(path, file, name)
+    if not isinstance(group, h5py.Group):
+        raise wrong(path, f"{name} is no group")
+    spatial, loads = "lateral_axis" not in group.attrs, "load" in group
+    table = variables(kind, spatial=spatial, loads=loads)
+    axis = AXES[kind]
+    sizes = {v.name: _length(path, group, v.name) for v in table if v.is_scale and not v.group}
+    tubes = _tubes(path, group)
+    datasets = {}
+    for place, variable, igr in places(table, tubes):
+        if igr is not None:
+            sizes["elevation"] = _length(path, group, f"tubes/{igr}/elevation")
+        shape = tuple(sizes[d] for d in variable.dims)
+        datasets[place] = dataset(path, group, place, variable, shape)
+    rows = sizes[axis] if committed is None else committed
+    if not 0 <= rows <= sizes[axis]:
+        raise wrong(path, f"{name} has room for {sizes[axis]} rows, not for {rows}")
+    if rows == 0:
+        raise wrong(path, f"it holds no {axis} yet", "wait until the run has written some")
+    return FoundationData(
+        name=name,
+        depth=_coordinate(path, datasets["depth"], rising=True),
+        axis=_coordinate(path, datasets[axis], rows, rising=True),
+        mudline=_number(path, group, "mudline"),
+        lateral_axis=None if spatial else _number(path, group, "lateral_axis"),
+        layer_boundaries=np.atleast_1d(numbers(path, group, "layer_boundaries")),
+        layer=np.asarray(datasets["layer"][...], dtype=np.intp),
+        tube=np.asarray(datasets["tube"][...], dtype=np.intp),
+        load_names=tuple(map(str, datasets["load"].asstr()[...])) if loads else (),
+        elevations={
+            igr: _coordinate(path, datasets[f"tubes/{igr}/elevation"], rising=False)
+            for igr in tubes
+        },
+        path=path,
+        finished=committed is None,
+        datasets=datasets,
+    )
+
+
+def _tubes(path: Path, group: Any) -> tuple[int, ...]:
+    if "tubes" not in group:
+        return ()
+    tubes = member(path, group, "tubes")
+    return tuple(int(igr) for igr in tubes if re.fullmatch(r"\d{1,9}", igr))
+
+
+def _length(path: Path, group: Any, name: str) -> int:
+    """Length of a coordinate; its own check follows with that of all variables."""
+    data = member(path, group, name)
+    if not isinstance(data, h5py.Dataset) or data.ndim != 1:
+        raise wrong(path, f"{group.name.strip('/')}/{name} is no coordinate")
+    return int(data.shape[0])
+
+
+def _coordinate(path: Path, data: Any, count: int | None = None, *, rising: bool) -> Array:
+    values = np.asarray(data[:count], dtype=np.float64)
+    steps = np.diff(values) if rising else -np.diff(values)
+    if not values.size or not np.all(np.isfinite(values)) or not np.all(steps > 0.0):
+        way = "rise" if rising else "fall"
+        raise wrong(
+            path, f"{data.name.strip('/')} does not {way} from one finite value to the next"
+        )
+    return values
+
+
+def _number(path: Path, group: Any, name: str) -> float:
+    value = numbers(path, group, name)
+    if value.ndim:
+        raise wrong(path, f"attribute {name} of {group.name.strip('/')} is not one number")
+    return float(value)
