@@ -20,7 +20,7 @@ def regular(first: float, last: float) -> Array:
     """Multiples of a round spacing from `first` to `last`, m."""
     spacing = next((s for s in _ROUND if (last - first) / s <= _MOST_ROUND), _ROUND[-1])
     lowest, highest = np.ceil(first / spacing - 1e-9), np.floor(last / spacing + 1e-9)
-    return np.asarray(spacing * np.arange(lowest, highest + 1.0))
+    return np.arange(lowest, highest + 1.0, dtype=np.float64) * float(spacing)
 
 
 def merge(*groups: Array) -> Array:
