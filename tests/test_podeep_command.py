@@ -63,7 +63,7 @@ def test_the_script_is_named_as_given(folder):
     Path("sub").mkdir()
     Path("sub/answers.txt").write_text("z")
     assert podeep("run", "--answers", "./sub/../sub/answers.txt").stderr.startswith(
-        "podeep: sub/../sub/answers.txt:1: 'z' is not one of g, q\n"
+        "podeep: ./sub/../sub/answers.txt:1: 'z' is not one of g, q\n"
     )
 
 
@@ -81,6 +81,22 @@ def test_both_databases_of_a_case_are_opened(folder):
             "Static soil results..............<g>",
             "Dynamic soil results.............<h>",
         ]
+
+
+def test_bytes_that_are_no_text_are_refused_as_answers(folder):
+    Path("answers").write_bytes(b"g\n\xff\xfe\n")
+    with Path("answers").open() as answers:
+        done = subprocess.run([*COMMAND, "run"], stdin=answers, capture_output=True)
+    assert done.returncode == 3
+    assert done.stderr.startswith(b"podeep: <stdin>:2: '")
+    closed = " ".join(f"'{part}'" for part in [*COMMAND, "run"])
+    assert subprocess.run(["sh", "-c", f"{closed} <&-"], capture_output=True).returncode == 3
+
+
+def test_a_title_cannot_play_tricks_on_the_terminal(folder):
+    static_database(Path("trick.dss"), title="A\x1b[2Jtitle\n# spoof")
+    done = podeep("trick", "--no-plot", "--csv", stdin=SNAPSHOT)
+    assert done.stdout.splitlines()[1] == "# Title: A [2Jtitle # spoof"
 
 
 def test_what_cannot_be_opened_is_told(folder):

@@ -55,6 +55,11 @@ def with_unit(value: float, axis: str) -> str:
     return f"{short(value)} {AXIS_UNITS[axis]}".rstrip()
 
 
+def plain(text: str) -> str:
+    """Text of a file, fit for a terminal: one line without control characters."""
+    return "".join(c if c.isprintable() else " " for c in text)
+
+
 def number_format(curves: Array) -> Callable[[float], str]:
     """One format for all values of a table; `curves` has shape (curves, values).
 

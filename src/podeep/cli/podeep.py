@@ -4,6 +4,7 @@ import sys
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterable, Sequence
 from contextlib import ExitStack
+from io import TextIOWrapper
 from pathlib import Path
 from typing import TextIO
 
@@ -15,6 +16,7 @@ from ..session.cases import find_databases
 from ..session.console import Console, Record, Recorder, ScriptConsole, no_record
 from ..session.flow import converse
 from ..session.result import Results, sources
+from ..units import plain
 from .common import guarded
 
 _EPILOG = """\
@@ -45,7 +47,7 @@ def _parser() -> ArgumentParser:
         metavar="CASE | FILE.dss | FILE.dst",
         help="`run` takes run.dss and run.dst, whichever exist; the only case here if left out",
     )
-    parser.add_argument("--answers", metavar="FILE", type=Path, help="read the answers from FILE")
+    parser.add_argument("--answers", metavar="FILE", help="read the answers from FILE")
     parser.add_argument(
         "--record", metavar="FILE", type=Path, help="write the answers to FILE, as such a script"
     )
@@ -86,7 +88,7 @@ def _open(paths: Iterable[Path], stack: ExitStack) -> dict[DatabaseKind, Databas
             )
         databases[database.kind] = database
         if database.status != "complete":
-            reason = f": {database.stop_reason}" if database.stop_reason else ""
+            reason = f": {plain(database.stop_reason)}" if database.stop_reason else ""
             sys.stderr.write(f"podeep: {path}: the run's status is {database.status}{reason}\n")
     return {kind: databases[kind] for kind in ("static", "dynamic") if kind in databases}
 
@@ -104,7 +106,7 @@ def _folder(folder: Path) -> Path:
 def _console(options: Namespace, stack: ExitStack) -> Console:
     """A terminal's console where answers are typed, else the reader of a script."""
     record = _record(options.record, stack)
-    if options.answers is None and sys.stdin.isatty():
+    if options.answers is None and sys.stdin and sys.stdin.isatty():
         from ..session.terminal import TerminalConsole
 
         # Only a terminal can hold the dialogue; results may go to a file meanwhile.
@@ -115,16 +117,19 @@ def _console(options: Namespace, stack: ExitStack) -> Console:
     return ScriptConsole(lines, name, dialogue, sys.stdout, record)
 
 
-def _script(path: Path | None, stack: ExitStack) -> tuple[Iterable[str], str]:
-    if path is None:
-        return sys.stdin, "<stdin>"
+def _script(name: str | None, stack: ExitStack) -> tuple[Iterable[str], str]:
+    """Lines of the script and its name; bytes that are no text are refused as answers."""
+    if name is None:
+        if isinstance(sys.stdin, TextIOWrapper):
+            sys.stdin.reconfigure(encoding="utf-8", errors="replace")
+        return sys.stdin or (), "<stdin>"
     try:
-        lines = stack.enter_context(path.open(encoding="utf-8", errors="replace"))
+        lines = stack.enter_context(open(name, encoding="utf-8", errors="replace"))
     except OSError as error:
         raise UserError(
-            Fault(f"{path} cannot be read: {error.strerror}", "give --answers a file of answers")
+            Fault(f"{name} cannot be read: {error.strerror}", "give --answers a file of answers")
         ) from error
-    return lines, str(path)
+    return lines, name
 
 
 def _record(path: Path | None, stack: ExitStack) -> Record:

@@ -111,7 +111,7 @@ class FoundationData:
 
     def _load(self, name: str, selection: tuple[Any, ...]) -> Array:
         data = self.datasets[name]
-        with reading(self.path):
+        with reading(self.path), np.errstate(invalid="ignore"):
             values = np.asarray(data[selection], dtype=np.float64)
         if not np.all(np.isfinite(values)):
             raise wrong(self.path, f"{self.name}/{name} holds values that are not finite")

@@ -41,6 +41,7 @@ __all__ = ["Grid", "Writer", "check_target"]
 
 _FORMAT = ("v108", "v108")  # old enough for every netCDF, new enough to have checksums
 _COPIED = 4096  # rows at a time
+_GROWTH = 4  # of the room, each time that it is used up; what is not used takes no space on disk
 
 
 class Writer:
@@ -147,7 +148,7 @@ class Writer:
                 widen(self._envelope, path, rows[f"{name}/{quantity}"], rows[axis])
         first, end = self._committed, self._committed + self._waiting
         if end > self._room:
-            self._move(max(2 * self._room, end), "running")
+            self._move(max(_GROWTH * self._room, end), "running")
         with told(self.path):
             for path, values in rows.items():
                 self._file[path][first:end] = values

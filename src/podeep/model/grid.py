@@ -19,14 +19,15 @@ _PROBES = np.array([0.25, 0.5, 0.75])
 def regular(first: float, last: float) -> Array:
     """Multiples of a round spacing from `first` to `last`, m."""
     spacing = next((s for s in _ROUND if (last - first) / s <= _MOST_ROUND), _ROUND[-1])
-    lowest, highest = np.ceil(first / spacing - 1e-9), np.floor(last / spacing + 1e-9)
-    return np.arange(lowest, highest + 1.0, dtype=np.float64) * float(spacing)
+    lowest, highest = int(np.ceil(first / spacing - 1e-9)), int(np.floor(last / spacing + 1e-9))
+    return np.asarray(spacing * np.arange(lowest, highest + 1), dtype=np.float64)
 
 
 def merge(*groups: Array) -> Array:
     """Sorted depths without neighbours closer than a jump."""
     x = np.unique(np.concatenate(groups))
-    return x[np.concatenate([[True], np.diff(x) > 2.0 * JUMP])]
+    apart = np.diff(x, prepend=-np.inf) > 2.0 * JUMP
+    return np.asarray(x[apart])
 
 
 def soil_jumps(results: Results) -> Array:

@@ -9,7 +9,7 @@ from ..errors import Fault, UserError
 from ..figure import save
 from ..query import Curves, DatabaseKind, Origin, envelope, snapshot, step_evolution
 from ..table import csv_table, text_table
-from ..units import short
+from ..units import plain, short
 from .cases import case_name
 from .console import Console
 from .flow import Request, Source
@@ -82,5 +82,5 @@ def _origin(database: "Database", data: "FoundationData") -> Origin:
     if (axis := data.lateral_axis) is not None:
         direction = _AXES.get(axis, f"{short(axis)} degrees from x")
     return Origin(
-        database.path.name, database.kind, database.title, data.name, data.mudline, direction
+        database.path.name, database.kind, plain(database.title), data.name, data.mudline, direction
     )
