@@ -4,8 +4,8 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from builders import grid, row_values
 
+from builders import grid, row_values
 from podeep.database.write import Writer
 
 STEP = 0.25  # s

@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import Any
 
 from .arrays import Array
-from .database.write import Writer, check_target
+from .database.target import check_target
+from .database.write import Writer
 from .deck.read import Deck, read_deck
 from .errors import Fault, UserError
 from .record import Sheet, sheet
@@ -67,12 +68,23 @@ def run_deck(path: Path, directory: Path, *, force: bool, accuracy: float | None
     if not deck.solve:
         return Run(path, scene.title, (), None, deck.notes, "")
     target = directory / path.with_suffix(".dss").name
+    make_folder(directory)
     check_target(target, force=force)
     solved = tuple(solve(scene, foundation) for foundation in scene.foundations)
     names = scene.steps.names
     failure = "\n".join(explain(s, s.failure, names) for s in solved if s.failure)
     write(target, deck, scene, [sheet(scene, s) for s in solved], failure, force=force)
     return Run(path, scene.title, solved, target, deck.notes, failure)
+
+
+def make_folder(directory: Path) -> None:
+    """Make a folder for results, and those above it."""
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise UserError(
+            Fault(f"{directory} cannot be made: {error.strerror}", "choose another with -o")
+        ) from error
 
 
 def write(

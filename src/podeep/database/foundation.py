@@ -1,7 +1,8 @@
 """What an open database holds of one foundation; values are read when asked for."""
 
+import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -38,7 +39,7 @@ class FoundationData:
     elevations: Mapping[int, Array]
     path: Path
     finished: bool
-    datasets: Mapping[str, Any]
+    datasets: Mapping[str, Any] = field(repr=False)
 
     @property
     def spatial(self) -> bool:
@@ -70,22 +71,13 @@ class FoundationData:
         IndexError for an unknown row.
         """
         wanted = np.atleast_1d(np.arange(len(self.axis))[slice(None) if rows is None else rows])
-        data = self.datasets[quantity]
-        if not wanted.size:
-            return np.empty((0, *data.shape[1:]))
         different, place = np.unique(wanted, return_inverse=True)
-        spacing = np.diff(different)
-        even = bool(np.all(spacing == spacing[:1]))
-        stride = int(spacing[0]) if spacing.size else 1
-        picked = slice(int(different[0]), int(different[-1]) + 1, stride) if even else different
-        of_row = np.empty(data.shape[1:])[... if depths is None else depths].size
-        if 8 * different.size * of_row > _LARGEST_READ:
-            raise wrong(
-                self.path,
-                f"{quantity} of {different.size} rows is too much at once",
-                "ask for less",
-            )
-        return self._load(quantity, (picked, *([] if depths is None else [depths])))[place]
+        tail = self.datasets[quantity].shape[1:]
+        columns = math.prod(len(range(n)[depths or slice(None)]) for n in tail)
+        if 8 * different.size * columns > _LARGEST_READ:
+            raise wrong(self.path, f"{quantity} is too much to read at once", "ask for fewer rows")
+        values = self._load(quantity, (_as_slice(different), *([depths] if depths else [])))
+        return values if np.array_equal(wanted, different) else values[place]
 
     def read_tube(
         self, igr: int, quantity: str, rows: int | slice | Sequence[int] | None = None
@@ -116,3 +108,13 @@ class FoundationData:
         if not np.all(np.isfinite(values)):
             raise wrong(self.path, f"{self.name}/{name} holds values that are not finite")
         return values
+
+
+def _as_slice(rows: Index) -> slice | Index:
+    """Rising rows as a slice, which HDF5 reads faster, if they are evenly spaced."""
+    spacing = np.diff(rows)
+    if rows.size == 0:
+        return slice(0, 0)
+    if np.any(spacing != spacing[:1]):
+        return rows
+    return slice(int(rows[0]), int(rows[-1]) + 1, int(spacing[0]) if spacing.size else 1)

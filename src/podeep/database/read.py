@@ -178,6 +178,11 @@ def _foundation(
     table = variables(kind, spatial=spatial, loads=loads)
     axis = AXES[kind]
     sizes = {v.name: _length(path, group, v.name) for v in table if v.is_scale and not v.group}
+    rows = sizes[axis] if committed is None else committed
+    if not 0 <= rows <= sizes[axis]:
+        raise wrong(path, f"{name} has room for {sizes[axis]} rows, not for {rows}")
+    if rows == 0:
+        raise wrong(path, f"it holds no {axis} yet", "open it when the run has written some")
     tubes = _tubes(path, group)
     datasets = {}
     for place, variable, igr in places(table, tubes):
@@ -185,11 +190,6 @@ def _foundation(
             sizes["elevation"] = _length(path, group, f"tubes/{igr}/elevation")
         shape = tuple(sizes[d] for d in variable.dims)
         datasets[place] = dataset(path, group, place, variable, shape)
-    rows = sizes[axis] if committed is None else committed
-    if not 0 <= rows <= sizes[axis]:
-        raise wrong(path, f"{name} has room for {sizes[axis]} rows, not for {rows}")
-    if rows == 0:
-        raise wrong(path, f"it holds no {axis} yet", "wait until the run has written some")
     return FoundationData(
         name=name,
         depth=_coordinate(path, datasets["depth"], rising=True),

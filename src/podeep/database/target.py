@@ -1,5 +1,7 @@
 """Which files may be written, replaced or removed; what the disk refuses, in words."""
 
+import errno
+import fcntl
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -55,12 +57,24 @@ def is_ours(path: Path) -> bool:
     if not path.is_file():
         return False
     try:
-        with h5py.File(path, "r", locking="best-effort") as file:
-            return bool(file.attrs.get("schema") == SCHEMA)
+        with path.open("rb") as file:
+            lock(file.fileno(), fcntl.LOCK_SH)
+        with h5py.File(path, "r", locking=False) as database:
+            return bool(database.attrs.get("schema") == SCHEMA)
     except BlockingIOError as error:
         raise _busy(path) from error
     except (*REFUSED, KeyError, TypeError, ValueError):
         return False
+
+
+def lock(descriptor: int, kind: int) -> None:
+    """Lock an open file until it is closed, as HDF5 does; BlockingIOError if another holds it."""
+    try:
+        fcntl.flock(descriptor, kind | fcntl.LOCK_NB)
+    except OSError as error:
+        # Some network disks have no locks; HDF5 goes without them there too.
+        if error.errno not in (errno.ENOSYS, errno.ENOTSUP, errno.ENOLCK):
+            raise
 
 
 @contextmanager

@@ -13,7 +13,7 @@ from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Literal, Self
+from typing import Any, Literal, NamedTuple, Self
 
 import h5py
 import numpy as np
@@ -35,6 +35,7 @@ from .schema import (
     Kind,
     Status,
 )
+from .stream import Stream
 from .target import REFUSED, check_target, clear, told
 
 __all__ = ["Grid", "Writer", "check_target"]
@@ -42,6 +43,25 @@ __all__ = ["Grid", "Writer", "check_target"]
 _FORMAT = ("v108", "v108")  # old enough for every netCDF, new enough to have checksums
 _COPIED = 4096  # rows at a time
 _GROWTH = 4  # of the room, each time that it is used up; what is not used takes no space on disk
+
+
+class _Sink(NamedTuple):
+    """An HDF5 file that is being written, and the stream beneath it."""
+
+    file: Any  # h5py has no types
+    stream: Stream
+
+    @classmethod
+    def create(cls, path: Path) -> Self:
+        stream = Stream(path)
+        with stream.checked():
+            return cls(h5py.File(stream, "w", libver=_FORMAT, track_order=True), stream)
+
+    def close(self) -> None:
+        """Close without complaint: what there was to tell has been told."""
+        with suppress(*REFUSED), self.stream.checked():
+            self.file.close()
+        self.stream.close()
 
 
 class Writer:
@@ -86,7 +106,8 @@ class Writer:
         self._layout = Layout(kind, tuple(grids), tuple(loads), dtype, compress)
         self._axes = {grid.name: f"{grid.name}/{self._layout.axis}" for grid in grids}
         self._wanted = self._layout.rows.keys() - set(self._axes.values())
-        self._file: Any = None  # h5py has no types
+        self._sink: _Sink
+        self._is_open = False
         self._room = self._committed = self._waiting = 0
         self._pending: list[dict[str, Values]] = []
         self._envelope: dict[str, Values] = {}
@@ -102,12 +123,13 @@ class Writer:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, _: TracebackType | None
     ) -> None:
-        if self._file is None:
+        if not self._is_open:
             return
         reason = "left before the end" if error is None else str(error) or type(error).__name__
         with suppress(UserError):  # the partial stays as it was; the first error is the one told
             self._settle("interrupted", reason)
-        self._close()
+        if self._is_open:
+            self._sink.close()
 
     def append(self, axis: npt.ArrayLike, values: Mapping[str, npt.ArrayLike]) -> None:
         """Add rows: their steps or times, and every variable that has a row for each of them.
@@ -149,14 +171,17 @@ class Writer:
         first, end = self._committed, self._committed + self._waiting
         if end > self._room:
             self._move(max(_GROWTH * self._room, end), "running")
+        file, stream = self._sink
         with told(self.path):
-            for path, values in rows.items():
-                self._file[path][first:end] = values
-            for path, values in self._envelope.items():
-                self._file[path][...] = values
-            self._file.flush()
-            self._file[COMMITTED][()] = end
-            self._file.flush()
+            with stream.checked():
+                for path, values in rows.items():
+                    file[path][first:end] = values
+                for path, values in self._envelope.items():
+                    file[path][...] = values
+                file.flush()
+            with stream.checked():
+                file[COMMITTED][()] = end
+                file.flush()
         self._pending, self._waiting, self._committed = [], 0, end
 
     def finish(self, status: Literal["complete", "stopped"], stop_reason: str = "") -> None:
@@ -179,44 +204,34 @@ class Writer:
         """Put a fresh file with this room, and all that is committed, in place of the partial."""
         running = status == "running"
         with told(self.path):
-            fresh = h5py.File(
-                self._fresh, "x", libver=_FORMAT, track_order=True, locking="best-effort"
-            )
+            fresh = _Sink.create(self._fresh)
             try:
-                fresh.attrs.update({**self._head, "status": status, "stop_reason": reason})
-                fresh.flush()  # from here on it can be told to be ours
-                fresh[DECK] = self._deck
-                fresh[DECK].attrs["sha256"] = sha256(self._deck.encode()).hexdigest()
-                self._layout.build(fresh, room, ahead=running, envelope=self._envelope)
-                self._copy(fresh)
-                if running:
-                    fresh[COMMITTED][()] = self._committed
-                    fresh.flush()
-                else:
-                    fresh.close()
-                    _synchronise(self._fresh)
+                with fresh.stream.checked():
+                    self._build(fresh.file, room, status, reason)
+                    if not running:
+                        fresh.file.close()
+                fresh.stream.synchronise()
                 os.replace(self._fresh, self.path)
             except BaseException:
-                with suppress(*REFUSED):
-                    fresh.close()
+                fresh.close()
                 self._fresh.unlink(missing_ok=True)
                 raise
-        self._close()
-        self._file, self._room = (fresh, room) if running else (None, 0)
+        if self._is_open:
+            self._sink.close()
+        self._sink, self._room, self._is_open = fresh, room, running
+        if not running:
+            fresh.close()
 
-    def _copy(self, fresh: Any) -> None:
+    def _build(self, file: Any, room: int, status: Status, reason: str) -> None:
+        file.attrs.update({**self._head, "status": status, "stop_reason": reason})
+        file.flush()  # from here on it can be told to be ours
+        file[DECK] = self._deck
+        file[DECK].attrs["sha256"] = sha256(self._deck.encode()).hexdigest()
+        self._layout.build(file, room, ahead=status == "running", envelope=self._envelope)
         for path in self._layout.rows:
             for first in range(0, self._committed, _COPIED):
                 rows = slice(first, min(first + _COPIED, self._committed))
-                fresh[path][rows] = self._file[path][rows]
-
-    def _close(self) -> None:
-        if self._file is not None:
-            with suppress(*REFUSED):  # what it holds is in place already, or was told to be lost
-                self._file.close()
-            self._file = None
-
-
-def _synchronise(path: Path) -> None:
-    with path.open("rb+") as file:
-        os.fsync(file.fileno())
+                file[path][rows] = self._sink.file[path][rows]
+        if status == "running":
+            file[COMMITTED][()] = self._committed
+        file.flush()

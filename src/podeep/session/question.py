@@ -10,15 +10,15 @@ T = TypeVar("T")
 T_co = TypeVar("T_co", covariant=True)
 
 
-class Refused(ValueError):  # noqa: N818 - a verdict on an answer
+class Refused(ValueError):
     """An answer that a question does not accept; the message says why, in words."""
 
 
-class Leave(Exception):  # noqa: N818 - a way out of the dialogue, not an error
+class Leave(Exception):
     """The user leaves the session."""
 
 
-class Up(Exception):  # noqa: N818
+class Up(Exception):
     """The user goes up one menu."""
 
 

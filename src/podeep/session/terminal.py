@@ -1,12 +1,14 @@
 """The console of a terminal: completion, history, a hint line, refused answers stay editable."""
 
+import os
 from typing import TextIO, TypeVar
 
 from prompt_toolkit import PromptSession
 from prompt_toolkit.completion import WordCompleter
 from prompt_toolkit.document import Document
 from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
-from prompt_toolkit.output import create_output
+from prompt_toolkit.output import ColorDepth, Output, create_output
+from prompt_toolkit.output.vt100 import Vt100_Output
 from prompt_toolkit.validation import ValidationError, Validator
 
 from .console import Record, accept, no_record
@@ -25,7 +27,7 @@ class TerminalConsole:
         self._dialogue = dialogue
         self._results = results
         self._record = record
-        self._output = create_output(stdout=dialogue)
+        self._output = _output(dialogue)
         self._sessions: dict[str, PromptSession[str]] = {}  # by question: each has its history
         self._waiting: list[str] = []
 
@@ -72,7 +74,7 @@ class TerminalConsole:
                 reserve_space_for_menu=len(question.completions),
                 validator=_Check(question),
                 validate_while_typing=False,
-                bottom_toolbar=f"{question.hint}  |  Ctrl-C goes up, Ctrl-D leaves",
+                bottom_toolbar=_hint(question),
             )
         except KeyboardInterrupt:
             self._go(question, Up)
@@ -90,6 +92,25 @@ class TerminalConsole:
         elif way is Leave and (sign := question.sign_of(Up)):
             self._record(question, sign)
             self._record(question, "q")
+
+
+class _Vt100(Vt100_Output):
+    """A terminal that is not asked where its cursor is.
+
+    Without the question the hint line stands right under the answer, and a terminal that leaves
+    the question unanswered costs no second's wait for each prompt.
+    """
+
+    def get_rows_below_cursor_position(self) -> int:
+        return 0
+
+
+def _output(stream: TextIO) -> Output:
+    if os.name == "posix" and stream.isatty():
+        return _Vt100.from_pty(
+            stream, term=os.environ.get("TERM"), default_color_depth=ColorDepth.from_env()
+        )
+    return create_output(stdout=stream)
 
 
 class _Check(Validator):
@@ -113,6 +134,11 @@ def _split(question: Question[object], text: str) -> tuple[str, list[str]]:
         return line, []
     first, *rest = numbers(line) or [line]
     return first, rest
+
+
+def _hint(question: Question[object]) -> str:
+    proposal = f"; Enter takes {question.proposal}" if question.proposal else ""
+    return f"{question.hint}{proposal}  |  Ctrl-C goes up, Ctrl-D leaves"
 
 
 def _keys() -> KeyBindings:

@@ -1,0 +1,35 @@
+"""Pages and pictures of the manual that are made from the code, so that they cannot be out of date."""
+
+from pathlib import Path
+
+from podeep.database.schema import VARIABLES
+from podeep.deck.keywords import KEYWORDS, describe
+
+
+def write_pages(folder: Path) -> None:
+    """Write the generated pages into a folder."""
+    folder.mkdir(exist_ok=True)
+    (folder / "keywords.md").write_text(keywords(), encoding="utf-8")
+    (folder / "schema.md").write_text(schema(), encoding="utf-8")
+
+
+def keywords() -> str:
+    """The keyword table, as `podeep-solve keywords` prints it."""
+    parts = ["# Keywords", "", "As `podeep-solve keywords` prints them.", ""]
+    parts += ["```text", describe(None), "```", ""]
+    for name in KEYWORDS:
+        parts += [f"## *{name}", "", "```text", describe(name), "```", ""]
+    return "\n".join(parts)
+
+
+def schema() -> str:
+    """What stands in a foundation's group of a database."""
+    rows = ["# Variables of a database", ""]
+    rows += ["| group | variable | dimensions | unit | what | remark |", "|---|---|---|---|---|---|"]
+    for v in VARIABLES:
+        where = f"`{v.group}/`" if v.group else ""
+        only = [*(v.kinds if len(v.kinds) == 1 else ()), *(["spatial"] if v.spatial_only else [])]
+        remark = "; ".join([*([f"{', '.join(only)} only"] if only else []), v.comment])
+        cells = (where, f"`{v.name}`", ", ".join(v.dims), v.units, v.long_name, remark)
+        rows.append(f"| {' | '.join(cells)} |")
+    return "\n".join([*rows, ""])
