@@ -131,7 +131,7 @@ CHANGES = {
         "declares",
     ),
     "huge, packed": (
-        instead(FORCE, shape=(4, 10), chunks=(4, 10), compression="gzip"),
+        instead(FORCE, shape=(4, 10), dtype="f8", compression="gzip"),
         "declares 320 bytes and stores 0",
     ),
     "huge chunks": (

@@ -123,8 +123,9 @@ def _script(name: str | None, stack: ExitStack) -> tuple[Iterable[str], str]:
         if isinstance(sys.stdin, TextIOWrapper):
             sys.stdin.reconfigure(encoding="utf-8", errors="replace")
         return sys.stdin or (), "<stdin>"
+    path = Path(name)
     try:
-        lines = stack.enter_context(Path(name).open(encoding="utf-8", errors="replace"))
+        lines = stack.enter_context(path.open(encoding="utf-8", errors="replace"))
     except OSError as error:
         raise UserError(
             Fault(f"{name} cannot be read: {error.strerror}", "give --answers a file of answers")

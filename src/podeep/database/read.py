@@ -229,10 +229,8 @@ def _coordinate(path: Path, data: Any, count: int | None = None, *, rising: bool
     values = np.asarray(data[:count], dtype=np.float64)
     steps = np.diff(values) if rising else -np.diff(values)
     if not values.size or not np.all(np.isfinite(values)) or not np.all(steps > 0.0):
-        way = "rise" if rising else "fall"
-        raise wrong(
-            path, f"{data.name.strip('/')} does not {way} from one finite value to the next"
-        )
+        what = "rising" if rising else "falling"
+        raise wrong(path, f"{data.name.strip('/')} does not hold finite, {what} values")
     return values
 
 

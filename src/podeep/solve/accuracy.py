@@ -29,7 +29,8 @@ class Estimate:
 
     displacement and moment (or normal force): largest change anywhere; reaction: change of the
     largest value, since pointwise it means nothing where a cube root crosses zero. unresolved: soil
-    force that each embedded element does not resolve in each step, shape (steps, elements), N.
+    force that each embedded element does not resolve in each step, as a share of all soil force,
+    shape (steps, elements).
     """
 
     displacement: Array
@@ -39,8 +40,9 @@ class Estimate:
 
     @property
     def worst(self) -> Array:
-        """Largest relative error of each step, shape (steps,)."""
-        return np.asarray(np.max([self.displacement, self.reaction, self.moment], axis=0))
+        """Largest relative error of each step, unresolved soil force included, shape (steps,)."""
+        force = self.unresolved.sum(axis=1)
+        return np.asarray(np.max([self.displacement, self.reaction, self.moment, force], axis=0))
 
 
 def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
@@ -78,7 +80,9 @@ def _unresolved(field: Field, coarse: Array, fine: Array) -> Array:
     true = fine.reshape(len(fine), -1, elements, fine.shape[-1] // elements)
     xi, weight = gauss_points(true.shape[-1])
     error = np.abs(known @ gauss_interpolation(xi, known.shape[-1]).T - true)
-    return np.asarray((error @ weight).sum(axis=1) * 0.5 * lengths)
+    missing = (error @ weight).sum(axis=1) * lengths
+    whole = ((np.abs(true) @ weight).sum(axis=1) @ lengths)[:, None]
+    return np.divide(missing, whole, out=np.zeros(missing.shape), where=whole > 0.0)
 
 
 def _change(new: Array, old: Array) -> Array:
