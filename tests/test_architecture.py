@@ -16,10 +16,11 @@ beam.__init__ beam.shapes beam.field beam.band
 model.__init__ model.needs model.mesh model.system model.assemble model.recover
 model.results model.grid
 solve.__init__ solve.newton solve.statics solve.accuracy solve.analysis solve.diagnosis
-database.__init__ database.schema database.layout database.target database.write database.read
+database.__init__ database.schema database.envelope database.layout database.target database.stream
+database.write database.trust database.foundation database.read
 record report query table figure
-session.__init__ session.question session.points session.console session.terminal session.cases
-session.result session.flow
+session.__init__ session.question session.console session.points session.flow session.terminal
+session.cases session.result
 run cli.__init__ cli.common cli.podeep cli.solve
 """.split()
 

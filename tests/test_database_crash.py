@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -137,34 +138,55 @@ def test_left_without_finish(tmp_path):
     assert not (tmp_path / "run.dst").exists()
 
 
-@pytest.mark.parametrize("calls", [0, 1, 5, 40, 100, 150, 200, 250, 300, 350, 400])
-def test_disk_full_at_any_moment(tmp_path, monkeypatch, calls):
-    target = builders.dynamic_database(tmp_path / "run.dst")
-    before = target.read_bytes()
-    room = iter(range(calls))
+def write_with(monkeypatch, target: Path, calls: int, trouble: Callable[[], None]) -> None:
+    """Write 8 rows, then more until `trouble` comes in a write after so many."""
     write = os.pwrite
+    left = iter(range(calls))
 
-    def refuse(descriptor: int, data: bytes, offset: int) -> int:
-        if next(room, None) is None:
-            raise OSError(errno.ENOSPC, "no space")
+    def troubled(descriptor: int, data: bytes, offset: int) -> int:
+        if next(left, None) is None:
+            trouble()
         return write(descriptor, data, offset)
 
-    def run() -> None:
-        with writer(target) as out:
-            for first in range(0, 64, 4):
-                out.append(*rows(first, first + 4))
-            out.finish("complete")
+    with writer(target) as out:
+        out.append(*rows(0, 8))
+        monkeypatch.setattr(os, "pwrite", troubled)
+        for first in range(8, 64, 4):
+            out.append(*rows(first, first + 4))
+        out.finish("complete")
 
-    monkeypatch.setattr(os, "pwrite", refuse)
-    with pytest.raises(UserError, match="cannot be written: No space left"):
-        run()
+
+@pytest.mark.parametrize("calls", [0, 1, 5, 40, 100, 150, 200])
+def test_disk_full_at_any_moment(tmp_path, monkeypatch, calls):
+    def full() -> None:
+        raise OSError(errno.ENOSPC, "full")
+
+    target = builders.dynamic_database(tmp_path / "run.dst")
+    before = target.read_bytes()
+    with pytest.raises(UserError, match=r"run\.dst\.partial cannot be written: No space left"):
+        write_with(monkeypatch, target, calls, full)
     assert target.read_bytes() == before
     partial = tmp_path / "run.dst.partial"
-    assert [p.name for p in tmp_path.iterdir() if p != partial] == ["run.dst"]
-    if partial.exists():
-        with open_database(partial) as database:
-            assert database.status == "running"
-        assert check_committed(partial)[0] % 8 == 0
+    assert sorted(tmp_path.iterdir()) == [target, partial]
+    count, status = check_committed(partial)
+    assert (count % 8, status) == (0, "running")
+
+
+@pytest.mark.parametrize("calls", [0, 1, 5, 40, 100, 150, 200])
+def test_interrupt_within_a_write(tmp_path, monkeypatch, calls):
+    def interrupt() -> None:
+        monkeypatch.undo()
+        signal.raise_signal(signal.SIGINT)
+
+    target = tmp_path / "run.dst"
+    with pytest.raises(KeyboardInterrupt):
+        write_with(monkeypatch, target, calls, interrupt)
+    partial = tmp_path / "run.dst.partial"
+    assert list(tmp_path.iterdir()) == [partial]
+    count, status = check_committed(partial)
+    assert (count % 4, status) == (0, "interrupted")
+    with open_database(partial) as database:
+        assert database.stop_reason == "interrupted by the user"
 
 
 def test_process_outlives_a_full_disk(tmp_path):

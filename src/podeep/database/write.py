@@ -125,11 +125,19 @@ class Writer:
     ) -> None:
         if not self._is_open:
             return
-        reason = "left before the end" if error is None else str(error) or type(error).__name__
-        with suppress(UserError):  # the partial stays as it was; the first error is the one told
-            self._settle("interrupted", reason)
-        if self._is_open:
-            self._sink.close()
+        match error:
+            case None:
+                reason = "left before the end"
+            case KeyboardInterrupt():
+                reason = "interrupted by the user"
+            case _:
+                reason = str(error) or type(error).__name__
+        try:
+            with suppress(UserError):  # the partial stays as it was; the first error is told
+                self._settle("interrupted", reason)
+        finally:
+            if self._is_open:
+                self._sink.close()
 
     def append(self, axis: npt.ArrayLike, values: Mapping[str, npt.ArrayLike]) -> None:
         """Add rows: their steps or times, and every variable that has a row for each of them.
