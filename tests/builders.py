@@ -16,9 +16,10 @@ from podeep.database.schema import Kind, Status, variables
 from podeep.database.write import Grid, Writer
 
 DEPTH = np.array([0.0, 1.0, 2.5, 5.0, 5.000001, 7.5, 10.0, 15.0, 20.0, 30.0])  # jump at 5 m
-ELEVATION = np.array([-90.0, -95.0, -100.0, -110.0, -130.0])
 MUDLINE = -100.0
-TUBE = 7
+TUBE = 7  # the outermost
+ELEVATION = np.array([-90.0, -95.0, -100.0, -110.0, -130.0])
+TUBES = {TUBE: ELEVATION, 12: np.array([-80.0, -120.0])}
 DECK = "*TITLE\nsynthetic databäse\n"
 
 # quantity: value at the mudline for a = 1, depth in which it falls to 1/e
@@ -91,7 +92,8 @@ def dynamic_database(
         compress=compress,
         block=block,
     ) as writer:
-        writer.append(axis, row_values("dynamic", grids, axis))
+        for part in np.split(axis, range(block, len(axis), block)):
+            writer.append(part, row_values("dynamic", grids, part))
         writer.finish("complete")
     return path
 
@@ -105,7 +107,7 @@ def grid(name: str, depth: Array = DEPTH, *, spatial: bool = False) -> Grid:
         layer_boundaries=np.array([5.0]),
         mudline=MUDLINE,
         lateral_axis=None if spatial else 0.0,
-        tubes={TUBE: ELEVATION},
+        tubes=TUBES,
     )
 
 

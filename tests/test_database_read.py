@@ -65,8 +65,9 @@ def test_coordinates(database):
     assert data.layer_boundaries.tolist() == [5.0]
     assert data.layer.tolist() == [0, 0, 0, 0, 1, 1, 1, 1, 1, 1]
     assert set(data.tube) == {builders.TUBE}
-    assert data.tubes == (builders.TUBE,)
-    assert np.array_equal(data.elevations[builders.TUBE], builders.ELEVATION)
+    assert data.tubes == tuple(builders.TUBES)
+    for tube, elevation in builders.TUBES.items():
+        assert np.array_equal(data.elevations[tube], elevation)
 
 
 def test_planar_and_spatial(database):

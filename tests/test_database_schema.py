@@ -28,7 +28,7 @@ def schema_of(path: Path) -> dict[str, tuple[str, ...]]:
     with h5py.File(path) as file:
         kind, spatial = file.attrs["kind"], "lateral_axis" not in file["F2"].attrs
     table = variables(kind, spatial=spatial, loads=kind == "static")
-    return {place: variable.dims for place, variable, _ in places(table, [builders.TUBE])}
+    return {place: variable.dims for place, variable, _ in places(table, builders.TUBES)}
 
 
 def test_table_is_consistent():
@@ -69,6 +69,8 @@ def test_netcdf_sees_every_variable_with_its_dimensions(database):
             variable = group[path]
             assert variable.dimensions == dims
             assert variable.long_name
+        for tube, elevation in builders.TUBES.items():
+            assert group[f"tubes/{tube}/moment_x"].shape[1] == len(elevation)
         assert list(file.groups) == ["input", "F2", "F10"]
         assert file["input"]["deck"][...] == builders.DECK
 
@@ -130,5 +132,6 @@ def test_every_axis_has_its_scale(database):
         for path, dims in schema_of(database).items():
             data = file["F2"][path]
             if not data.is_scale:
-                attached = [dimension[0].name.split("/")[-1] for dimension in data.dims]
-                assert tuple(attached) == dims
+                attached = [dimension[0].name.split("/") for dimension in data.dims]
+                assert tuple(parts[-1] for parts in attached) == dims
+                assert all(path.startswith("/".join(parts[2:-1])) for parts in attached)

