@@ -1,4 +1,4 @@
-"""Small soil databases with known fields, for the tests of whatever reads them.
+"""Small soil databases with known fields, for the tests of what reads them.
 
 Every quantity is the product of an amplitude a (the step; sin(t) of a dynamic database), the
 number of the foundation (1 for the first), and a shape over the depth z of `SHAPES`. In a spatial

@@ -18,7 +18,7 @@ model.results model.grid
 solve.__init__ solve.newton solve.statics solve.accuracy solve.analysis solve.diagnosis
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read
-record report query table figure
+record describe report query table figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result
 run cli.__init__ cli.common cli.podeep cli.solve

@@ -11,6 +11,7 @@ import pytest
 
 import builders
 from podeep.database.read import open_database
+from podeep.database.target import UNFINISHED
 from podeep.database.write import Grid, Writer, check_target
 from podeep.errors import UserError
 
@@ -194,6 +195,12 @@ def test_foreign_files_are_never_touched(tmp_path, make, name):
         builders.static_database(tmp_path / "run.dss", force=True)
     assert names(tmp_path) == [name]
     assert before is None or foreign.read_bytes() == before
+
+
+def test_half_made_files_of_ours_are_cleared(tmp_path):
+    (tmp_path / "run.dss.partial.new").write_bytes(UNFINISHED + bytes(100))
+    builders.static_database(tmp_path / "run.dss")
+    assert names(tmp_path) == ["run.dss"]
 
 
 def test_target_that_turns_up_meanwhile_is_kept(tmp_path):

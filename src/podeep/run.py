@@ -30,7 +30,6 @@ class Run:
     title: str
     solved: tuple[Solved, ...]
     database: Path | None
-    warnings: tuple[str, ...]
     failure: str
 
     def text(self, verbose: bool = False) -> str:
@@ -50,7 +49,6 @@ class Run:
             "title": self.title,
             "foundations": [summary(one) for one in self.solved],
             "database": str(self.database) if self.database else None,
-            "warnings": list(self.warnings),
             "failure": self.failure or None,
         }
 
@@ -66,7 +64,7 @@ def run_deck(path: Path, directory: Path, *, force: bool, accuracy: float | None
     if accuracy is not None:
         scene = replace(scene, numerics=replace(scene.numerics, accuracy=accuracy))
     if not deck.solve:
-        return Run(path, scene.title, (), None, deck.notes, "")
+        return Run(path, scene.title, (), None, "")
     target = directory / path.with_suffix(".dss").name
     make_folder(directory)
     check_target(target, force=force)
@@ -74,7 +72,7 @@ def run_deck(path: Path, directory: Path, *, force: bool, accuracy: float | None
     names = scene.steps.names
     failure = "\n".join(explain(s, s.failure, names) for s in solved if s.failure)
     write(target, deck, scene, [sheet(scene, s) for s in solved], failure, force=force)
-    return Run(path, scene.title, solved, target, deck.notes, failure)
+    return Run(path, scene.title, solved, target, failure)
 
 
 def make_folder(directory: Path) -> None:

@@ -41,6 +41,25 @@ QUANTITIES = {
     )
 }
 
+PARAMETER_UNITS = {
+    **dict.fromkeys(("depth", "diameter"), "m"),
+    **dict.fromkeys(("effective_unit_weight", "subgrade_modulus"), "N/m3"),
+    **dict.fromkeys(("friction_angle", "interface_friction_angle"), "deg"),
+    "initial_stiffness": "Pa/m",
+    **dict.fromkeys(
+        (
+            "effective_overburden",
+            "end_bearing_limit",
+            "friction_limit",
+            "tip_pressure",
+            "undrained_shear_strength",
+            "unit_friction",
+        ),
+        "Pa",
+    ),
+}
+"""Units of the parameters of laws; the others have none. Angles are shown in degrees."""
+
 AXIS_UNITS = {"step": "", "time": "s", "depth": "m"}
 """Units of what results are given against; a step is a plain number."""
 

@@ -81,8 +81,6 @@ def run(options: argparse.Namespace) -> ExitCode:
     from ..run import run_deck
 
     done = run_deck(options.deck, options.directory, force=options.force, accuracy=options.accuracy)
-    for warning in done.warnings:
-        print(f"podeep-solve: warning: {warning}", file=sys.stderr)
     if options.json:
         print(json.dumps(done.as_json(), indent=2))
     elif not options.quiet:
@@ -96,9 +94,12 @@ def run(options: argparse.Namespace) -> ExitCode:
 def check(options: argparse.Namespace) -> ExitCode:
     """Tell what a deck says."""
     from ..deck.read import read_deck
-    from ..report import scene_report
+    from ..describe import scene_report
+    from ..solve.analysis import first_model
 
     deck = read_deck(options.deck)
+    for foundation in deck.scene.foundations:
+        first_model(deck.scene, foundation)  # curves that cannot be evaluated are faults too
     print(scene_report(deck.scene, deck.notes))
     return ExitCode.DONE
 

@@ -12,7 +12,7 @@ import numpy as np
 from ..arrays import Array, Index
 from ..beam.field import Field
 from ..beam.shapes import gauss_points
-from ..errors import InvalidData
+from ..errors import Fault, UserError
 from ..scene import Dof, Foundation, Scene
 from ..soil.profile import Profile
 from .mesh import Stretch, stretches
@@ -122,10 +122,12 @@ def lateral_problem(
     x, weight = quadrature(field.edges, wet, field.degree)
     reaction = profile.lateral(x, np.repeat(diameter[wet], field.degree))
     if needs.components == 2 and not reaction.odd:
-        raise InvalidData(
-            "a p-y curve with rows of negative displacement acts in one direction only, "
-            "but the loads or supports share no plane",
-            "give all loads of the foundation one plane, or a curve without negative rows",
+        raise UserError(
+            Fault(
+                f"{foundation.name}: a p-y curve with rows of negative displacement acts along one "
+                "direction, but the loads or supports share no plane",
+                "give all loads of the foundation one plane, or a curve without negative rows",
+            )
         )
     collect = _Collector(scene, foundation, needs, field)
     system = System(field, needs.components, [Points(x, weight, reaction)], *collect.holds())

@@ -58,26 +58,36 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
     of displacement, reaction and moment is within the accuracy; a number of elements given by the
     scene is taken as it is.
     """
-    degree = scene.numerics.degree or DEGREE
-    profile = Profile(scene.ground)
-    pieces = cut(scene, foundation, profile)
-    wanted = needs(scene, foundation)
-    boundaries = edges(pieces, profile, _SIZE[degree], scene.numerics.elements)
+    model = first_model(scene, foundation)
     factors = np.array(scene.steps.factors).reshape(-1, len(scene.steps.names))
-
-    def build(at: Array, order: int) -> Model:
-        return assemble(scene, foundation, wanted, profile, pieces, at, order)
-
     for round_ in range(_ROUNDS + 1):
-        model = build(boundaries, degree)
         states, failure = run(model, factors, limits(scene))
-        found = estimate(model, build(boundaries, degree + 1), states)
+        found = estimate(model, rebuilt(scene, model, model.edges, 1), states)
         enough = all(e.worst.max() <= scene.numerics.accuracy for e in found)
         last = round_ == _ROUNDS or 2 * model.elements > _MOST_ELEMENTS
         if enough or last or scene.numerics.elements is not None:
             break
-        boundaries = refine(boundaries, model.lateral.system.field, found, scene.numerics.accuracy)
+        field = model.lateral.system.field
+        finer = refine(model.edges, field, found, scene.numerics.accuracy)
+        model = rebuilt(scene, model, finer, 0)
     return Solved(model, tuple(states), found, failure)
+
+
+def first_model(scene: Scene, foundation: Foundation) -> Model:
+    """The model on the first mesh. Raises UserError where a curve cannot be evaluated."""
+    degree = scene.numerics.degree or DEGREE
+    profile = Profile(scene.ground)
+    pieces = cut(scene, foundation, profile)
+    boundaries = edges(pieces, profile, _SIZE[degree], scene.numerics.elements)
+    wanted = needs(scene, foundation)
+    return assemble(scene, foundation, wanted, profile, pieces, boundaries, degree)
+
+
+def rebuilt(scene: Scene, model: Model, boundaries: Array, more: int) -> Model:
+    """The same model on other boundaries and with a degree higher by `more`."""
+    degree = model.lateral.system.field.degree + more
+    same = (model.foundation, model.needs, model.profile, model.pieces)
+    return assemble(scene, *same, boundaries, degree)
 
 
 def run(model: Model, factors: Array, limit: Limits) -> tuple[list[State], Failure | None]:

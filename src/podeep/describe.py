@@ -1,0 +1,156 @@
+"""A scene in words: what the solver understood, in SI, with what was left to a default."""
+
+from collections.abc import Iterator
+from math import degrees
+from textwrap import wrap
+from typing import Any
+
+import numpy as np
+
+from .scene import Curve, Foundation, Ground, Newton, Numerics, Scene, Section
+from .units import PARAMETER_UNITS, short
+
+
+def scene_report(scene: Scene, notes: tuple[str, ...]) -> str:
+    """The whole scene in SI and in words, one fact a line."""
+    lines = [scene.title or "(no title)", ""]
+    for foundation in scene.foundations:
+        lines += foundation_lines(scene, foundation)
+    lines += ["", "soil"]
+    lines += [f"  {line}" for line in ground_lines(scene.ground)]
+    lines += ["", "held and loaded"]
+    lines += [f"  {line}" for line in action_lines(scene)]
+    lines += ["", "steps"]
+    lines += [f"  {line}" for line in step_lines(scene)]
+    lines += ["", "numerics"]
+    lines += [f"  {line}" for line in numerics_lines(scene)]
+    if notes:
+        lines += ["", "assumed", *(f"  {note}" for note in notes)]
+    folded = (wrap(line, 80, subsequent_indent=_indent(line)) or [""] for line in lines)
+    return "\n".join(part for parts in folded for part in parts)
+
+
+def _indent(line: str) -> str:
+    return " " * (len(line) - len(line.lstrip()) + 4)
+
+
+def numerics_lines(scene: Scene) -> Iterator[str]:
+    """Accuracy, mesh and iteration limits."""
+    numerics, newton = scene.numerics, scene.newton
+    accuracy = f"requested accuracy {numerics.accuracy:g}"
+    yield marked(accuracy, numerics.accuracy, Numerics().accuracy)
+    if numerics.elements is None:
+        yield "elements as the accuracy needs them (default)"
+    else:
+        yield f"{numerics.elements} elements, no refinement"
+    if numerics.degree is not None:
+        yield f"deflection of degree {numerics.degree} in an element"
+    limits = (
+        f"at most {newton.iterations} iterations, forces balanced to {newton.force:g} or better"
+    )
+    yield marked(limits, newton, Newton())
+
+
+def foundation_lines(scene: Scene, foundation: Foundation) -> Iterator[str]:
+    """A foundation and the sections of its tubes."""
+    yield f"foundation {foundation.name}: mudline at {short(foundation.mudline)} m"
+    for id_ in foundation.tubes:
+        tube = scene.tubes[id_]
+        embedded = foundation.mudline - tube.tip
+        yield (
+            f"  tube {tube.id} {tube.name}".rstrip()
+            + f": {short(tube.top)} to {short(tube.tip)} m, {short(embedded)} m embedded"
+        )
+        for section in tube.sections:
+            yield f"    {section_line(section)}"
+
+
+def section_line(section: Section) -> str:
+    """Geometry and stiffness of a section."""
+    return (
+        f"{short(section.top)} to {short(section.bottom)} m: "
+        f"OD {short(section.outer_diameter)} m, WT {short(section.wall_thickness)} m, "
+        f"EI {short(section.bending_stiffness)} N m2, EA {short(section.axial_stiffness)} N"
+    )
+
+
+def ground_lines(ground: Ground) -> Iterator[str]:
+    """Depths with their curves, then the curves."""
+    for depth, lateral, axial in zip(ground.depths, ground.lateral, ground.axial, strict=True):
+        names = [f"{kind} {id_ or 'none'}" for kind, id_ in (("p-y", lateral), ("t-z", axial))]
+        yield f"{short(depth)} m below the mudline: {', '.join(names)}"
+    friction = f"slope of friction {short(ground.friction_stiffness)} Pa/m"
+    yield marked(friction, ground.friction_stiffness, 1e8)
+    between = "parameters" if ground.interpolation == "PARAMETERS" else "loads"
+    yield f"between depths {between} vary linearly; below the last one its curve goes on"
+    for kind, curves in (("p-y", ground.lateral_curves), ("t-z", ground.axial_curves)):
+        for curve in curves.values():
+            yield f"{kind} {curve.id}: {curve_line(curve)}"
+
+
+def curve_line(curve: Curve) -> str:
+    """A curve's law, parameters, options and rows."""
+    given: dict[str, Any] = {**curve.parameters, **curve.options}
+    parts = [parameter(name, value) for name, value in given.items()]
+    if curve.rows:
+        unit = "diameters" if curve.rows_in_diameters else "m"
+        parts.append(f"{len(curve.rows)} rows, displacement in {unit}")
+    return ", ".join([curve.law.replace("_", " "), *parts])
+
+
+def parameter(name: str, value: Any) -> str:
+    """A parameter of a law in words; angles in degrees."""
+    words = name.replace("_", " ")
+    if isinstance(value, bool):
+        return words if value else f"not {words}"
+    if isinstance(value, str):
+        return f"{words} {value}"
+    unit, number = PARAMETER_UNITS.get(name, ""), float(np.ravel(value)[0])
+    return f"{words} {short(degrees(number) if unit == 'deg' else number)} {unit}".rstrip()
+
+
+def marked(text: str, given: object, default: object) -> str:
+    """A statement that says so where the deck left it to the default."""
+    return f"{text} (default)" if given == default else text
+
+
+def action_lines(scene: Scene) -> Iterator[str]:
+    """Supports, springs, loads and imposed displacements."""
+    for support in scene.supports:
+        held = " ".join(support.dofs)
+        yield f"tube {support.tube} at {short(support.elevation)} m: {held} held"
+    for spring in scene.springs:
+        unit = "N m/rad" if spring.dof.startswith("R") else "N/m"
+        yield (
+            f"tube {spring.tube} at {short(spring.elevation)} m: spring {spring.dof} "
+            f"{short(spring.stiffness)} {unit}"
+        )
+    for load in scene.loads:
+        parts = [
+            f"{name} {short(value)} {unit}"
+            for name, value, unit in zip(
+                ("FX", "FY", "FZ", "MX", "MY", "MZ"),
+                (*load.force, *load.moment),
+                ("N", "N", "N", "N m", "N m", "N m"),
+                strict=True,
+            )
+            if value
+        ]
+        where = f"tube {load.tube} at {short(load.elevation)} m"
+        yield f"load {load.name} on {where}: {', '.join(parts) or 'nothing'}"
+    for d in scene.displacements:
+        unit = "rad" if d.dof.startswith("R") else "m"
+        yield (
+            f"displacement {d.name} of tube {d.tube} at {short(d.elevation)} m: "
+            f"{d.dof} {short(d.value)} {unit}"
+        )
+    if any(load.moment[2] for load in scene.loads):
+        yield "torsion is held: the soil gives no resistance to it, MZ has no effect on the results"
+
+
+def step_lines(scene: Scene) -> Iterator[str]:
+    """How many steps, and the factors where they are few."""
+    yield f"{len(scene.steps.factors)} quasi-static steps of {', '.join(scene.steps.names)}"
+    if len(scene.steps.factors) <= 10:
+        for number, factors in enumerate(scene.steps.factors, start=1):
+            yield f"step {number}: {', '.join(short(f) for f in factors)}"
