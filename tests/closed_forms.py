@@ -115,10 +115,10 @@ CF02_HEADS = {
 
 
 def chang(folder: Path, top: float, actions: list[str]) -> Profile:
-    """30 m stand in for the semi-infinite pile; the case's own 19 m are off by 6e-6."""
-    row = f"{top:g} -30 1 0.1 200e9 7850 EI={CHANG_EI!r} EA=1e9"
+    """45 m stand in for the semi-infinite pile; a tip nearer to 19 m is felt by the profiles."""
+    row = f"{top:g} -45 1 0.1 200e9 7850 EI={CHANG_EI!r} EA=1e9"
     moduli = [CHANG_K, CHANG_K]
-    text = deck(title="Chang", depths=[0, 30], moduli=moduli, casing=[row], actions=actions)
+    text = deck(title="Chang", depths=[0, 45], moduli=moduli, casing=[row], actions=actions)
     return Profile(solved(folder, text))
 
 

@@ -4,6 +4,9 @@ HDF5 does not survive a failed write: it can no longer close its file, and the p
 segmentation fault. So here it never sees one. The first error is kept, nothing is written after
 it, and `checked` raises it. As h5py calls this file back from within HDF5, an interrupt would be
 such a failure too: it waits until HDF5 is done.
+
+Until `publish` the first bytes are held back and others stand in their place, so that what a kill
+leaves half made is never taken for a database, and yet can be told to be ours.
 """
 
 import fcntl
@@ -16,17 +19,22 @@ from contextlib import contextmanager
 from pathlib import Path
 from types import FrameType
 
-from .target import REFUSED, lock
+from .target import REFUSED, UNFINISHED, lock
 
 
 class Stream(io.RawIOBase):
-    """A new file, locked against other writers as HDF5 does it. Raises OSError if it exists."""
+    """A new file, locked against other writers as HDF5 does it; OSError if it exists."""
 
     def __init__(self, path: Path) -> None:
         self._descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o666)
-        self._at = 0
+        self._at = self._end = 0  # as HDF5 sees them
         self._error: OSError | None = None
+        self._head: bytearray | None = bytearray(len(UNFINISHED))
+
+    def claim(self) -> None:
+        """Lock the file and mark it as ours; to be called first, within `checked`."""
         lock(self._descriptor, fcntl.LOCK_EX)
+        self._attempt(lambda: self._write(UNFINISHED, 0))
 
     @contextmanager
     def checked(self) -> Iterator[None]:
@@ -50,32 +58,44 @@ class Stream(io.RawIOBase):
         return self._at
 
     def seek(self, offset: int, whence: int = io.SEEK_SET) -> int:
-        origin = {io.SEEK_SET: 0, io.SEEK_CUR: self._at, io.SEEK_END: self._size()}[whence]
+        origin = {io.SEEK_SET: 0, io.SEEK_CUR: self._at, io.SEEK_END: self._end}[whence]
         self._at = origin + offset
         return self._at
-
-    def _size(self) -> int:
-        return 0 if self.closed else os.fstat(self._descriptor).st_size
 
     def readinto(self, buffer: memoryview) -> int:  # type: ignore[override]  # as h5py gives it
         found = b"" if self.closed else os.pread(self._descriptor, len(buffer), self._at)
         buffer[:] = found.ljust(len(buffer), b"\0")  # room that nothing was written to
+        if self._head is not None and self._at < len(self._head):
+            held = self._head[self._at : self._at + len(buffer)]
+            buffer[: len(held)] = held
         self._at += len(buffer)
         return len(buffer)
 
     def write(self, data: memoryview) -> int:  # type: ignore[override]  # as h5py gives it
-        self._attempt(lambda: self._write(data))
+        held = 0
+        if self._head is not None and self._at < len(self._head):
+            held = min(len(self._head) - self._at, len(data))
+            self._head[self._at : self._at + held] = data[:held]
+        self._attempt(lambda: self._write(data[held:], self._at + held))
         self._at += len(data)
+        self._end = max(self._end, self._at)
         return len(data)
 
-    def _write(self, data: memoryview) -> None:
+    def _write(self, data: memoryview | bytearray | bytes, at: int) -> None:
         done = 0
         while done < len(data):
-            done += os.pwrite(self._descriptor, data[done:], self._at + done)
+            done += os.pwrite(self._descriptor, data[done:], at + done)
+
+    def publish(self) -> None:
+        """Let the file begin as HDF5 has written it; to be called when all else is there."""
+        head, self._head = self._head, None
+        if head is not None:
+            self._attempt(lambda: self._write(head, 0))
 
     def truncate(self, size: int | None = None) -> int:
         end = self._at if size is None else size
         self._attempt(lambda: os.ftruncate(self._descriptor, end))
+        self._end = end
         return end
 
     def _attempt(self, action: Callable[[], None]) -> None:

@@ -12,6 +12,7 @@ import h5py
 from ..errors import Fault, UserError
 from .schema import SCHEMA
 
+UNFINISHED = b"podeep-soil: a file that is being made\n"  # what it begins with until it is HDF5
 REFUSED = (OSError, RuntimeError)  # what h5py raises where a file cannot be read or written
 
 
@@ -53,12 +54,17 @@ def clear(leftover: Path) -> None:
 
 
 def is_ours(path: Path) -> bool:
-    """Whether a file carries our schema's name; raises UserError while another run writes it."""
+    """Whether a file carries our schema's name, or was left half made by us.
+
+    Raises UserError while another run writes it.
+    """
     if not path.is_file():
         return False
     try:
         with path.open("rb") as file:
             lock(file.fileno(), fcntl.LOCK_SH)
+            if file.read(len(UNFINISHED)) == UNFINISHED:
+                return True
         with h5py.File(path, "r", locking=False) as database:
             return bool(database.attrs.get("schema") == SCHEMA)
     except BlockingIOError as error:

@@ -109,7 +109,10 @@ def numbers(path: Path, holder: Any, name: str) -> np.ndarray[Any, np.dtype[np.f
 def _attribute(path: Path, holder: Any, name: str) -> Any:
     if name not in holder.attrs:
         raise wrong(path, f"{_named(holder, name)} is missing")
-    if holder.attrs.get_id(name).get_storage_size() > _LARGEST_ATTRIBUTE:
+    attribute = holder.attrs.get_id(name)
+    # h5py takes the size 0 of an empty list for an error
+    filled = attribute.get_space().get_simple_extent_npoints() > 0
+    if filled and attribute.get_storage_size() > _LARGEST_ATTRIBUTE:
         raise wrong(path, f"{_named(holder, name)} is absurdly large")
     return holder.attrs[name]
 

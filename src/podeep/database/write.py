@@ -54,8 +54,15 @@ class _Sink(NamedTuple):
     @classmethod
     def create(cls, path: Path) -> Self:
         stream = Stream(path)
-        with stream.checked():
-            return cls(h5py.File(stream, "w", libver=_FORMAT, track_order=True), stream)
+        try:
+            with stream.checked():
+                stream.claim()
+                file = h5py.File(stream, "w", libver=_FORMAT, track_order=True)
+        except BaseException:
+            stream.close()
+            path.unlink()
+            raise
+        return cls(file, stream)
 
     def close(self) -> None:
         """Close without complaint: what there was to tell has been told."""
@@ -218,6 +225,7 @@ class Writer:
                     self._build(fresh.file, room, status, reason)
                     if not running:
                         fresh.file.close()
+                    fresh.stream.publish()
                 fresh.stream.synchronise()
                 os.replace(self._fresh, self.path)
             except BaseException:
@@ -232,7 +240,6 @@ class Writer:
 
     def _build(self, file: Any, room: int, status: Status, reason: str) -> None:
         file.attrs.update({**self._head, "status": status, "stop_reason": reason})
-        file.flush()  # from here on it can be told to be ours
         deck = file.create_dataset(DECK, data=self._deck, dtype=h5py.string_dtype())
         deck.attrs["sha256"] = sha256(self._deck.encode()).hexdigest()
         self._layout.build(file, room, ahead=status == "running", envelope=self._envelope)

@@ -58,9 +58,7 @@ def output_depths(results: Results, accuracy: float) -> Array:
     tip = float(edges[-1])
     jumps = soil_jumps(results)
     needed = np.concatenate([[0.0], jumps, edges[edges >= 0.0]])
-    loose = regular(0.0, tip)
-    loose = loose[np.abs(loose[:, None] - needed).min(axis=1) > 1e-3 * tip]
-    x = split(merge(needed, loose), jumps)
+    x = split(merge(needed, regular(0.0, tip)), jumps)
     for _ in range(_BISECTIONS):
         worst = interpolation_error(results, x)
         wide = np.flatnonzero((worst > accuracy) & (np.diff(x) > 100.0 * JUMP))

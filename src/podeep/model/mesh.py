@@ -1,7 +1,8 @@
 """Element boundaries: where something changes, and between these as fine as the soil asks.
 
-A deflected pile lives on the length L = (4 EI / k)^(1/4), k being the soil's modulus (Hetenyi
-1946): the size of an element is a share of it. Free tube needs one element a stretch.
+A deflected pile lives on the length (4 EI / k)^(1/4), k being the soil's modulus (Hetenyi 1946), a
+stretched one on (EA / k)^(1/2): the size of an element is a share of the lesser of both. Free tube
+needs one element a stretch.
 """
 
 import itertools
@@ -13,6 +14,7 @@ import numpy as np
 from ..arrays import Array
 from ..scene import Section, Tube
 from ..soil.profile import Profile
+from ..soil.reaction import Reaction
 
 _TOUCH = 1e-6  # boundaries closer than this are one, m
 _PROBE = 0.01  # displacement at which the soil's modulus is taken, in diameters
@@ -57,14 +59,18 @@ def stretches(
 
 
 def characteristic_lengths(stretch: Stretch, profile: Profile) -> Array:
-    """L at evenly spread points of an embedded stretch, shape (samples,), m; inf without soil."""
-    diameter = stretch.section.outer_diameter
+    """The lesser length at evenly spread points of a stretch, (samples,), m; inf without soil."""
+    diameter, section = stretch.section.outer_diameter, stretch.section
     x = stretch.top + stretch.length * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
-    probe = np.full(_SAMPLES, _PROBE * diameter)
-    force, _ = profile.lateral(x, np.full(_SAMPLES, diameter)).evaluate(probe)
-    modulus = np.maximum(force / probe, 0.0)
+    probe, width = np.full(_SAMPLES, _PROBE * diameter), np.full(_SAMPLES, diameter)
+
+    def modulus(reaction: Reaction) -> Array:
+        return np.asarray(np.maximum(reaction.evaluate(probe)[0] / probe, 0.0))
+
     with np.errstate(divide="ignore"):
-        return np.asarray((4.0 * stretch.section.bending_stiffness / modulus) ** 0.25)
+        bent = (4.0 * section.bending_stiffness / modulus(profile.lateral(x, width))) ** 0.25
+        stretched = (section.axial_stiffness / modulus(profile.shaft(x, width))) ** 0.5
+    return np.minimum(bent, stretched)
 
 
 def densities(pieces: Sequence[Stretch], profile: Profile) -> list[Array]:

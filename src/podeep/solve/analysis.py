@@ -16,7 +16,7 @@ from .newton import Limits
 from .statics import Failure, NoEquilibrium, State, steps
 
 DEGREE = 5  # of the deflection in an element, unless the scene says otherwise
-_SIZE = {3: 0.35, 5: 0.9, 7: 1.4}  # first element length, in characteristic lengths
+_SIZE = {3: 0.2, 5: 0.4, 7: 0.8}  # first element length, in characteristic lengths
 _ROUNDS = 14  # of refinement
 _MOST_ELEMENTS = 2000
 

@@ -1,0 +1,196 @@
+"""A deck becomes a scene: every paragraph read, every reference resolved, every fault told."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+from ..scene import Curve, Ground, Newton, Numerics, Scene, Steps
+from .actions import Actions, idle_names, likely_data, read_actions, read_steps
+from .curves import axial_curve, lateral_curve
+from .faults import Faults
+from .ground import Depths, reacts_axially, read_depths, read_ground, unused_curves
+from .keywords import KEYWORDS
+from .paragraphs import Sorted, sort_paragraphs
+from .registry import Registry
+from .scan import scan
+from .structure import ReadFoundation, ReadTube, check_foundations, read_foundations, read_tube
+
+_ACTIONS = ("SUPPORT", "SPRING", "LOAD", "DISPLACE")
+
+
+@dataclass(frozen=True)
+class Deck:
+    """A deck that was read.
+
+    text: the deck with the files it includes in their places. solve: it ends in *EXEC, not *STOP.
+    notes: assumptions and oddities worth telling.
+    """
+
+    scene: Scene
+    text: str
+    solve: bool
+    notes: tuple[str, ...]
+
+
+def read_deck(path: Path) -> Deck:
+    """Read a deck and the files it includes.
+
+    Raises UserError with all faults of the deck (20 at most), or if it cannot be read at all.
+    """
+    faults = Faults()
+    scanned = scan(path, faults)
+    given = sort_paragraphs(scanned, faults)
+    notes: list[str] = []
+
+    title = _title(given, faults)
+    ground = _ground(given, notes, faults)
+    tubes: Registry[ReadTube] = Registry(
+        "tube", "CASING", faults, complete=given.complete("CASING")
+    )
+    for paragraph in given.of["CASING"]:
+        read_tube(paragraph, tubes, faults)
+    foundations = _foundations(given, tubes, faults)
+
+    acting = [p for p in scanned.paragraphs if p.keyword in _ACTIONS]
+    actions = read_actions(acting, tubes, faults)
+    actions.complete &= given.complete("LOAD", "DISPLACE")
+    _check_uses(given, foundations, tubes, actions, faults)
+    if ground is not None and actions.sound and given.complete("SUPPORT", "SPRING", "DISPLACE"):
+        _check_axial(foundations, tubes, ground, actions, faults)
+    steps = _steps(given, actions, notes, faults)
+    newton = _arguments(given, "NEWTONSTAT")
+    numerics = _arguments(given, "ACCURACY") | _arguments(given, "MODEL")
+    faults.check()
+
+    if ground is None or steps is None:  # whatever stands in their way is a fault
+        raise RuntimeError(f"{path}: no ground or no steps, and no fault")
+    scene = Scene(
+        title,
+        MappingProxyType({i: t.tube for i, t in tubes.sound.items() if t.tube is not None}),
+        tuple(f.foundation for f in foundations if f.foundation is not None),
+        ground,
+        tuple(actions.supports),
+        tuple(actions.springs),
+        tuple(actions.loads),
+        tuple(actions.displacements),
+        steps,
+        Newton(**newton),
+        Numerics(**numerics),
+    )
+    notes += [*unused_curves(ground), *_unused_tubes(scene), *idle_names(steps)]
+    notes += likely_data(acting)
+    return Deck(scene, scanned.text, bool(given.of["EXEC"]), tuple(notes))
+
+
+def _title(given: Sorted, faults: Faults) -> str:
+    paragraph = given.one("TITLE")
+    if paragraph is None:
+        return ""
+    if not paragraph.lines:
+        faults.add(paragraph.place, "*TITLE has no text", "write it on the next line")
+        return ""
+    for line in paragraph.lines[1:2]:
+        message = "the title is one line, but more follows"
+        faults.add(line[0].place, message, "start a comment with C or !")
+    return paragraph.lines[0][0].text
+
+
+def _ground(given: Sorted, notes: list[str], faults: Faults) -> Ground | None:
+    """The ground with its curves; None, for which there is a fault."""
+    lateral: Registry[Curve] = Registry(
+        "p-y curve", "PYCURVE", faults, complete=given.complete("PYCURVE")
+    )
+    axial: Registry[Curve] = Registry(
+        "t-z curve", "TZCURVE", faults, complete=given.complete("TZCURVE")
+    )
+    for keyword, read, registry in (
+        ("PYCURVE", lateral_curve, lateral),
+        ("TZCURVE", axial_curve, axial),
+    ):
+        for paragraph in given.of[keyword]:
+            found = read(paragraph, faults)
+            registry.add(found.id, found.place, found.curve)
+            notes += found.notes
+    depths, curves = given.one("GROUNDEPTH"), given.one("GROUNDPROP")
+    known = read_depths(depths, faults) if depths else Depths((), "PARAMETERS", False)
+    return read_ground(curves, known, lateral, axial, faults) if curves else None
+
+
+def _foundations(given: Sorted, tubes: Registry[ReadTube], faults: Faults) -> list[ReadFoundation]:
+    depth = given.line("DEPTH")
+    mudline = depth.cells["Z"] if depth else None
+    found = [
+        foundation
+        for paragraph in given.of["FONDATION"]
+        for foundation in read_foundations(paragraph, mudline, tubes, faults)
+    ]
+    check_foundations(found, faults)
+    return found
+
+
+def _check_uses(
+    given: Sorted,
+    foundations: Sequence[ReadFoundation],
+    tubes: Registry[ReadTube],
+    actions: Actions,
+    faults: Faults,
+) -> None:
+    """Tell of actions on a tube that stands in no foundation: nothing would come of them."""
+    named = {f.tube for f in foundations}
+    if not named or None in named or not given.complete("FONDATION"):
+        return
+    for igr, place in actions.uses:
+        if igr in tubes.places and igr not in named:
+            message = f"tube {igr} stands in no *FONDATION"
+            faults.add(place, message, "name it in one, or take this out")
+
+
+def _check_axial(
+    foundations: Sequence[ReadFoundation],
+    tubes: Registry[ReadTube],
+    ground: Ground,
+    actions: Actions,
+    faults: Faults,
+) -> None:
+    """Tell of foundations that nothing holds along z."""
+    for read in foundations:
+        known = tubes.items.get(read.tube or 0)
+        if read.foundation is None or known is None or known.span is None:
+            continue
+        tip = known.span[1]
+        length = read.foundation.mudline - tip
+        if not (reacts_axially(ground, length) or actions.act_axially_on(read.foundation.tubes)):
+            faults.add(
+                read.place,
+                f"nothing holds foundation {read.foundation.id} along z: no t-z curve resists on "
+                f"its {length:g} m, no support or spring does",
+                f"give t-z curves, or *SUPPORT with the line {read.tube} {tip:g} Z",
+            )
+
+
+def _steps(given: Sorted, actions: Actions, notes: list[str], faults: Faults) -> Steps | None:
+    """The steps; one with all loads in full without *QUASISTATIC; None if they are at fault."""
+    names = tuple(actions.names.values())
+    if not names:
+        notes.append("there is no *LOAD and no *DISPLACE: nothing moves")
+    paragraph = given.one("QUASISTATIC")
+    if paragraph is not None:
+        return read_steps(paragraph, actions, faults)
+    if names:
+        notes.append("without *QUASISTATIC there is one step with all loads at factor 1")
+    return Steps(names, ((1.0,) * len(names),))
+
+
+def _arguments(given: Sorted, keyword: str) -> dict[str, Any]:
+    """The values of a keyword by what the scene calls them; empty if it is missing."""
+    values = given.line(keyword)
+    return values.arguments(KEYWORDS[keyword].rows[0].columns) if values else {}
+
+
+def _unused_tubes(scene: Scene) -> Iterator[str]:
+    used = {tube for foundation in scene.foundations for tube in foundation.tubes}
+    for id_ in scene.tubes:
+        if id_ not in used:
+            yield f"tube {id_} stands in no *FONDATION and is left out"

@@ -1,0 +1,60 @@
+"""What a deck defines by an id or a name, and who refers to it."""
+
+from dataclasses import dataclass, field
+from typing import Generic, TypeVar
+
+from ..errors import Place
+from .faults import Faults
+
+T = TypeVar("T")
+
+
+@dataclass(slots=True)
+class Registry(Generic[T]):
+    """Things by id, as a keyword defines them.
+
+    items: None for a thing that is at fault, so that a reference to it is no second fault.
+    complete: every id could be read; otherwise no reference is called missing.
+    meant: ids that a thing with an id twice given may have been meant to have.
+    """
+
+    noun: str
+    keyword: str
+    faults: Faults
+    items: dict[int, T | None] = field(default_factory=dict)
+    places: dict[int, Place] = field(default_factory=dict)
+    complete: bool = True
+    meant: set[int] = field(default_factory=set)
+    last: int = 0
+
+    def add(self, id_: int | None, place: Place, item: T | None) -> None:
+        """Take a thing in; None as id is one that could not be read."""
+        if id_ is None:
+            self.complete = False
+        elif id_ in self.places:
+            self.faults.add(
+                place,
+                f"{self.noun} {id_} is defined twice, first at {self.places[id_]}",
+                "give each its own id",
+            )
+            self.meant |= {self.last + 1, id_ - 1}
+        else:
+            self.items[id_], self.places[id_] = item, place
+            self.last = id_
+
+    def get(self, id_: int, place: Place) -> T | None:
+        """The thing that is meant at `place`; None if it is at fault or missing, which is told."""
+        known_to_all = self.places.keys() | self.meant
+        if id_ not in known_to_all and self.complete and self.faults.complete:
+            known = ", ".join(str(i) for i in sorted(self.places))
+            self.faults.add(
+                place,
+                f"there is no {self.noun} {id_}",
+                f"*{self.keyword} defines {known}" if known else f"no *{self.keyword} defines one",
+            )
+        return self.items.get(id_)
+
+    @property
+    def sound(self) -> dict[int, T]:
+        """The things without fault."""
+        return {id_: item for id_, item in self.items.items() if item is not None}

@@ -1,0 +1,223 @@
+"""podeep-solve as a user runs it: outputs, exit codes, databases that survive."""
+
+import csv
+import io
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from podeep.cli.podeep import main as podeep
+from podeep.cli.solve import main
+from podeep.database.read import open_database
+from podeep.errors import ExitCode
+
+ROOT = Path(__file__).parents[1]
+SAMPLES = ROOT / "sample_dbs"
+NAMES = ("jacket_pile", "oc3_monopile", "opensees_pile")
+
+
+@pytest.fixture
+def deck(tmp_path: Path) -> Path:
+    return Path(shutil.copy(SAMPLES / "jacket_pile.deck", tmp_path))
+
+
+def changed(deck: Path, before: str, after: str) -> Path:
+    text = deck.read_text(encoding="utf-8")
+    assert before in text
+    deck.write_text(text.replace(before, after), encoding="utf-8")
+    return deck
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_sample_databases_are_what_their_decks_make(name: str, tmp_path: Path) -> None:
+    """Values to 1e-9 of the largest; the last digits are the processor's business."""
+    assert main(["run", str(SAMPLES / f"{name}.deck"), "-o", str(tmp_path), "-q"]) == 0
+    with (
+        open_database(SAMPLES / f"{name}.dss") as kept,
+        open_database(tmp_path / f"{name}.dss") as made,
+    ):
+        assert kept.deck_text == made.deck_text
+        assert kept.status == made.status == "complete"
+        for foundation in kept.foundations:
+            old, new = kept.foundation(foundation), made.foundation(foundation)
+            np.testing.assert_allclose(new.depth, old.depth, atol=1e-9)
+            for quantity in old.datasets:
+                if quantity.startswith(("estimate", "convergence")):
+                    continue
+                before, after = old.read(quantity), new.read(quantity)
+                np.testing.assert_allclose(after, before, atol=1e-9 * np.abs(before).max())
+
+
+def test_the_monopile_moves_as_its_springs_say() -> None:
+    """OC3 phase II, linear between the 1 m points: 22.5224459 mm and 2.40506893 mrad, to 1e-6."""
+    with open_database(SAMPLES / "oc3_monopile.dss") as database:
+        data = database.foundation("F1")
+        assert data.read("lateral_displacement", -1)[0, 0] == pytest.approx(
+            0.0225224458575252, rel=1e-6
+        )
+        assert -data.read("lateral_slope", -1)[0, 0] == pytest.approx(0.00240506893070606, rel=1e-6)
+
+
+def test_the_opensees_pile_moves_as_opensees_says() -> None:
+    """PR01: 0.468638688 m, 0.084524407 rad, 15954.16 kN m; springs spread: within 1 %."""
+    with open_database(SAMPLES / "opensees_pile.dss") as database:
+        data = database.foundation("F1")
+        head = data.read_tube(1, "displacement_x", -1)[0, 0]
+        slope = data.read_tube(1, "rotation_y", -1)[0, 0]
+        moment = np.abs(data.read_tube(1, "moment_y", -1)).max()
+    assert head == pytest.approx(0.468638688, rel=1e-2)
+    assert slope == pytest.approx(0.084524407, rel=1e-2)
+    assert moment == pytest.approx(15954.16e3, rel=1e-2)
+
+
+def test_opensees_pile_profile() -> None:
+    """Displacement over depth at 3.5 MN within 1 % of its largest value."""
+    with (ROOT / "tests/data/valid/PR01_profile.csv").open(encoding="utf-8") as file:
+        rows = [r for r in csv.DictReader(file) if float(r["z_below_ground_m"]) >= 0.0]
+    depth = np.array([float(r["z_below_ground_m"]) for r in rows])
+    exact = np.array([float(r["y_m"]) for r in rows])
+    with open_database(SAMPLES / "opensees_pile.dss") as database:
+        data = database.foundation("F1")
+        found = np.interp(depth, data.depth, data.read("lateral_displacement", -1)[0])
+    assert np.abs(found - exact).max() < 0.01 * exact.max()
+
+
+def test_run_reports_in_words_and_as_json(
+    deck: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["run", str(deck), "-o", str(tmp_path / "out")]) == 0
+    words = capsys.readouterr()
+    assert "planar: all loads share the plane at 0 degrees from x" in words.out
+    assert words.err == ""
+    assert main(["run", str(deck), "-o", str(tmp_path / "out"), "--json", "--force"]) == 0
+    report = json.loads(capsys.readouterr().out)
+    (pile,) = report["foundations"]
+    assert report["database"] == str(tmp_path / "out" / "jacket_pile.dss")
+    assert pile["steps"] == 6
+    assert pile["largest_estimated_error"] <= 1e-3
+    assert main(["run", str(deck), "-o", str(tmp_path / "out"), "-q", "--force"]) == 0
+    assert capsys.readouterr().out == ""
+    assert main(["run", str(deck), "-o", str(tmp_path / "out"), "-v", "--force"]) == 0
+    assert "smallest part" in capsys.readouterr().out
+
+
+def test_a_second_run_leaves_the_first_database_untouched(
+    deck: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = ["-o", str(deck.parent)]
+    assert main(["run", str(deck), *out]) == 0
+    database = deck.with_suffix(".dss")
+    first = database.read_bytes()
+    capsys.readouterr()
+    assert main(["run", str(deck), *out]) == ExitCode.USAGE
+    assert "--force" in capsys.readouterr().err
+    assert database.read_bytes() == first
+    assert main(["run", str(deck), *out, "--force"]) == 0
+    assert database.read_bytes() == first  # the same input makes the same bytes
+
+
+def test_a_foreign_file_is_never_replaced(deck: Path) -> None:
+    foreign = deck.with_suffix(".dss")
+    foreign.write_bytes(b"a simulation file of another program")
+    assert main(["run", str(deck), "-o", str(deck.parent), "--force"]) == ExitCode.USAGE
+    assert foreign.read_bytes() == b"a simulation file of another program"
+
+
+def test_above_capacity_the_steps_below_are_written(
+    deck: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    changed(deck, "2.2e6  0   0", "90e6   0   0")
+    assert main(["run", str(deck), "-o", str(deck.parent), "-q"]) == ExitCode.FAILED
+    message = capsys.readouterr().err
+    assert "no lateral equilibrium" in message
+    assert "fully mobilised" in message
+    assert "jacket_pile.dss" in message
+    with open_database(deck.with_suffix(".dss")) as database:
+        assert database.status == "stopped"
+        assert "no lateral equilibrium" in database.stop_reason
+        steps = database.foundation("F1").axis
+        assert 1 <= len(steps) < 7
+
+
+def test_stop_checks_and_solves_nothing(deck: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    changed(deck, "*EXEC", "*STOP")
+    assert main(["run", str(deck), "-o", str(deck.parent)]) == 0
+    assert "nothing solved" in capsys.readouterr().out
+    assert not deck.with_suffix(".dss").exists()
+
+
+def test_check_tells_the_scene(deck: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", str(deck)]) == 0
+    text = capsys.readouterr().out
+    assert "50 m embedded" in text
+    assert "(default)" in text
+    assert max(len(line) for line in text.splitlines()) <= 80
+    assert not deck.with_suffix(".dss").exists()
+
+
+def test_curves_are_those_of_the_law(deck: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Soft clay at the mudline of the jacket pile: pu = 3 su D, a quarter way at 0.1 y50: 0.23."""
+    y50 = 2.5 * 0.02 * 2.134
+    at = f"0,{0.1 * y50!r},{8 * y50!r}"
+    assert main(["curves", str(deck), "--depth", "0", "--at", at, "--csv"]) == 0
+    rows = list(csv.DictReader(io.StringIO(capsys.readouterr().out)))
+    assert list(rows[0]) == ["curve", "displacement", "reaction"]
+    found = [float(r["reaction"]) for r in rows if r["curve"] == "py"]
+    pu = 3.0 * 8e3 * 2.134
+    np.testing.assert_allclose(found, [0.0, 0.23 * pu, pu], rtol=1e-12)
+    assert {r["curve"] for r in rows} == {"py", "tz", "qz"}
+    assert main(["curves", str(deck), "--depth", "20"]) == 0
+    assert "friction angle 34 deg" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["--depth", "51"], "outside 0 to 50 m"),
+        (["--depth", "-1"], "outside 0 to 50 m"),
+        (["--depth", "5", "--foundation", "F2"], "the deck has F1"),
+    ],
+)
+def test_curves_refuse_what_is_not_there(
+    deck: Path, arguments: list[str], words: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["curves", str(deck), *arguments]) == ExitCode.USAGE
+    assert words in capsys.readouterr().err
+
+
+def test_usage_errors_end_with_two(capsys: pytest.CaptureFixture[str]) -> None:
+    for arguments in ([], ["run"], ["fly"], ["run", "x.deck", "--accuracy", "3"]):
+        with pytest.raises(SystemExit) as ending:
+            main(arguments)
+        assert ending.value.code == ExitCode.USAGE
+    assert main(["run", "nowhere.deck"]) == ExitCode.USAGE
+    assert "nowhere.deck" in capsys.readouterr().err
+
+
+def test_keywords_are_listed_and_explained(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["keywords"]) == 0
+    listed = capsys.readouterr().out
+    assert main(["keywords", "pycurve"]) == 0
+    explained = capsys.readouterr().out
+    for text in (listed, explained):
+        assert max(len(line) for line in text.splitlines()) <= 80
+    assert "*GROUNDPROP" in listed
+    assert "EPSC" in explained
+    assert main(["keywords", "PYCURV"]) == ExitCode.USAGE
+    assert "PYCURVE" in capsys.readouterr().err
+
+
+def test_the_example_runs_from_the_package(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "first"
+    assert main(["example", str(folder)]) == 0
+    assert "jacket_pile.dss" in capsys.readouterr().out
+    for name in ("jacket_pile.deck", "jacket_pile.answers"):
+        assert (folder / name).read_bytes() == (SAMPLES / name).read_bytes()
+    assert main(["example", str(folder)]) == ExitCode.USAGE
+    monkeypatch.chdir(folder)
+    assert podeep(["jacket_pile", "--answers", "jacket_pile.answers", "--no-plot"]) == 0
+    assert "Lateral force" in capsys.readouterr().out
