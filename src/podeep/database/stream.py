@@ -105,6 +105,9 @@ class Stream(io.RawIOBase):
             except OSError as error:
                 self._error = error
 
+    def flush(self) -> None:
+        """Nothing is held back here; HDF5 may still ask for it when all is closed."""
+
     def synchronise(self) -> None:
         """Wait until the disk has everything."""
         os.fsync(self._descriptor)

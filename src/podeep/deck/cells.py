@@ -57,7 +57,7 @@ def read_row(
     before = len(faults.found)
     positional = [f for f in fields if not f.name]
     misplaced = _check_order(fields, row, faults)
-    given, grouped = _assigned(fields, positional, row, keyword, faults)
+    given, grouped = _assigned(fields, row, keyword, Faults() if misplaced else faults)
     if not misplaced and not any("," in f.text for f in positional):
         _check_count(fields, positional, given, row, keyword, place, faults)
     if len(faults.found) == before or any("," in f.text for f in positional):
@@ -90,17 +90,16 @@ def _check_order(fields: Sequence[Field], row: Row, faults: Faults) -> bool:
 
 
 def _assigned(
-    fields: Sequence[Field],
-    positional: Sequence[Field],
-    row: Row,
-    keyword: Keyword,
-    faults: Faults,
+    fields: Sequence[Field], row: Row, keyword: Keyword, faults: Faults
 ) -> tuple[list[tuple[Column, Field]], list[Sequence[Field]]]:
     """Fields with the columns they belong to, and those of the repeated group."""
+    positional = [f for f in fields if not f.name]
     given = list(zip(row.positional, positional, strict=False))
     rest = positional[len(row.positional) :]
     size = len(row.repeated)
-    grouped = [rest[i : i + size] for i in range(0, len(rest), size)] if size else []
+    grouped: list[Sequence[Field]] = (
+        [rest[i : i + size] for i in range(0, len(rest), size)] if size else []
+    )
     for one in fields:
         if not one.name:
             continue

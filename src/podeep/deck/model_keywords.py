@@ -235,7 +235,7 @@ NEWTONSTAT = _only(
 
 ACCURACY = _only(
     "ACCURACY",
-    "the relative accuracy of the results; mesh and steps follow from it",
+    "the relative accuracy of the results",
     "accuracy",
     Column("A", "relative accuracy", "-", Bounds(1e-9, 0.1), "accuracy"),
 )

@@ -87,6 +87,7 @@ def _check_required(given: Sorted, end: Place) -> None:
     """Tell of the keywords that every deck has and this one lacks."""
     if not given.of["EXEC"] and not given.of["STOP"] and given.complete("EXEC", "STOP"):
         given.faults.add(end, "the deck has no end", "end it with *EXEC or *STOP")
+    where = next((p.place for word in ("EXEC", "STOP") for p in given.of[word]), end)
     for keyword in KEYWORDS.values():
         if keyword.required and not given.of[keyword.name] and given.complete(keyword.name):
-            given.faults.add(end, f"*{keyword.name} is missing", f"it gives {keyword.purpose}")
+            given.faults.add(where, f"*{keyword.name} is missing", f"it gives {keyword.purpose}")

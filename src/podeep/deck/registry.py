@@ -1,5 +1,6 @@
 """What a deck defines by an id or a name, and who refers to it."""
 
+import re
 from dataclasses import dataclass, field
 from typing import Generic, TypeVar
 
@@ -8,6 +9,8 @@ from .faults import Faults
 
 T = TypeVar("T")
 
+_BROKEN = re.compile(r"(\d+)[.,](\d*)", re.ASCII)  # a whole number that is written as another
+
 
 @dataclass(slots=True)
 class Registry(Generic[T]):
@@ -15,7 +18,7 @@ class Registry(Generic[T]):
 
     items: None for a thing that is at fault, so that a reference to it is no second fault.
     complete: every id could be read; otherwise no reference is called missing.
-    meant: ids that a thing with an id twice given may have been meant to have.
+    meant: ids that things whose id is at fault may have been meant to have.
     """
 
     noun: str
@@ -28,9 +31,9 @@ class Registry(Generic[T]):
     last: int = 0
 
     def add(self, id_: int | None, place: Place, item: T | None) -> None:
-        """Take a thing in; None as id is one that could not be read."""
+        """Take a thing in; None as id is one that is at fault, and is guessed from its place."""
         if id_ is None:
-            self.complete = False
+            self._guess(place, item)
         elif id_ in self.places:
             self.faults.add(
                 place,
@@ -41,6 +44,17 @@ class Registry(Generic[T]):
         else:
             self.items[id_], self.places[id_] = item, place
             self.last = id_
+
+    def _guess(self, place: Place, item: T | None) -> None:
+        begin = place.column - 1
+        broken = _BROKEN.fullmatch(place.text[begin : begin + place.width])
+        if broken is None:
+            self.complete = False
+            return
+        whole, rest = broken.groups()
+        self.meant.add(int(whole + rest))
+        self.items.setdefault(int(whole), item)
+        self.places.setdefault(int(whole), place)
 
     def get(self, id_: int, place: Place) -> T | None:
         """The thing that is meant at `place`; None if it is at fault or missing, which is told."""

@@ -81,7 +81,7 @@ def scan(path: Path, faults: Faults) -> Scanned:
         message = f"cannot read the deck {path}: {problem.reason}"
         raise UserError(Fault(message, problem.remedy)) from problem
     text = "".join(f"{'! ' if line.included else ''}{line.place.text}\n" for line in lines)
-    content = [line.place for line in lines if line.place.text.strip()]
+    content = [field.place for line in lines for field in _raw(line.place, 0)]
     end = content[-1] if content else Place(str(path), 1, 1)
     return Scanned(tuple(_paragraphs(lines, faults)), text, end)
 
