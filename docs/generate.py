@@ -25,7 +25,10 @@ def keywords() -> str:
 def schema() -> str:
     """What stands in a foundation's group of a database."""
     rows = ["# Variables of a database", ""]
-    rows += ["| group | variable | dimensions | unit | what | remark |", "|---|---|---|---|---|---|"]
+    rows += [
+        "| group | variable | dimensions | unit | what | remark |",
+        "|---|---|---|---|---|---|",
+    ]
     for v in VARIABLES:
         where = f"`{v.group}/`" if v.group else ""
         only = [*(v.kinds if len(v.kinds) == 1 else ()), *(["spatial"] if v.spatial_only else [])]

@@ -13,10 +13,11 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
+from scipy.interpolate import CubicHermiteSpline
+
 from decks import deck, solved
 from podeep.arrays import Array
 from podeep.database.read import Database
-from scipy.interpolate import CubicHermiteSpline
 
 DATA = Path(__file__).parent / "data" / "valid"
 Errors = dict[str, float]

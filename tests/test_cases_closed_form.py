@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+
 from closed_forms import CASES
 
 HEAD, PROFILE, PROFILE_CF04 = 1e-6, 2e-6, 1e-5

@@ -166,6 +166,13 @@ def test_axial_rows(tmp_path: Path, text: str) -> None:
         ("TZCURVE", "\n9 2\n0 1", "IOD is 2, but must be one of 0, 1"),
         ("TZCURVE", ", PLUG=AUTO\n9 0\n0 1", "PLUG of *TZCURVE is not read by this version"),
         ("TZCURVE", ", RESIDUAL=0.5\n9 0\n0 1", "RESIDUAL is 0.5, but must be 0.7 to 1"),
+        ("TZCURVE", ", RESIDUAL=0.8\n9 0\n0 1", "RESIDUAL has no effect with SHAPE=EP in ITYP 0"),
+        (
+            "TZCURVE",
+            ", SHAPE=API, RESIDUAL=0.8\n9 0\n2 0.8 1e4 30 40",
+            "RESIDUAL has no effect with SHAPE=API in ITYP 2",
+        ),
+        ("TZCURVE", ", SHAPE=WSD\n9 0\n0 1", "SHAPE 'WSD' is unknown; known are EP, API, 2GEO"),
         ("TZCURVE", ", SHAPE=API\n9 0\n0 1\n1 1 0 0", "SHAPE has no effect on a curve with rows"),
         ("TZCURVE", "\n9 0\n0 1\n1 0.1 2 0.1\n1 0.2 3 0.1", "yq is 0.1 after 0.1, but must rise"),
         ("TZCURVE", "\n9 0\n0 1\n1 0.1 2 -0.1", "yq is -0.1, but must be at least 0"),

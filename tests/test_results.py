@@ -5,6 +5,7 @@ from math import hypot
 
 import numpy as np
 import pytest
+
 from podeep.model.grid import JUMP, output_depths, tube_depths
 from podeep.model.needs import common_axis, needs
 from podeep.scene import Displacement, Load, Numerics, Scene, Spring, Steps, Support
@@ -107,9 +108,7 @@ def test_an_imposed_displacement_needs_the_force_that_would_cause_it(reference: 
     scene = reference_pile((0.0, 0.0, -5e6), numerics=Numerics(elements=13), steps=2)
     push = Displacement("PUSH", 1, 10.0, "X", 0.35697907)
     factors = ((0.5, 0.5), (1.0, 1.0))
-    pushed = solved(
-        replace(scene, displacements=(push,), steps=Steps(("HEAD", "PUSH"), factors))
-    )
+    pushed = solved(replace(scene, displacements=(push,), steps=Steps(("HEAD", "PUSH"), factors)))
     shear = pushed.results.shear_and_moment(np.array([-5.0]))[0][-1, 0, 0]
     assert shear == pytest.approx(2e6, rel=1e-6)
 

@@ -10,6 +10,7 @@ import netCDF4
 import numpy as np
 import pytest
 import xarray
+
 from podeep.cli.podeep import main as podeep
 from podeep.cli.solve import main
 from podeep.database.read import open_database

@@ -8,7 +8,7 @@ import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
-from closed_forms import CASES  # noqa: E402
+from closed_forms import CASES
 
 COLUMNS = ("head", "y", "slope", "moment", "shear")
 

@@ -1,6 +1,6 @@
 """Time from the start of podeep to its first question, at a pseudo-terminal and through a pipe.
 
-    python tests/bench/first_question.py DATABASE [ROUNDS]
+python tests/bench/first_question.py DATABASE [ROUNDS]
 """
 
 import platform

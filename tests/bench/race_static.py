@@ -132,7 +132,7 @@ def build_opensees(elements: int, dimensions: int) -> None:
 
 
 def opensees_values(elements: int, dimensions: int) -> tuple[float, float]:
-    """Head displacement and largest moment; infinite where its iteration ends without equilibrium."""
+    """Head displacement and largest moment; infinite where no equilibrium is found."""
     build_opensees(elements, dimensions)
     if ops.analyze(STEPS) != 0:
         return np.inf, np.inf

@@ -113,6 +113,10 @@ def _typed(
         notes = (f"t-z curve {id_}: its rows replace what its ITYP and F values give",)
     if len(faults.found) > before:
         return Found(id_, values.place, None)
+    if not _softens(row, values):
+        message = f"RESIDUAL has no effect with SHAPE={values.cells['SHAPE']} in {row.title}"
+        faults.add(values.places["RESIDUAL"], message, "leave it out, or give SHAPE=2GEO")
+        return Found(id_, values.place, None)
     switches = [c for c in row.columns if c.kind in ("word", "flag")]
     arguments = values.arguments(row.columns)
     chosen: dict[str, Any] = {
@@ -127,6 +131,19 @@ def _typed(
         bool(table) and values.cells["IOD"] == 1,
     )
     return Found(id_, values.place, curve, notes)
+
+
+def _softens(row: Row, values: Values) -> bool:
+    """Whether a residual, if one is given, has an effect: on the points of API RP 2GEO alone.
+
+    SHAPE=API takes these in clay and for a direct friction, not in sand.
+    """
+    shape = values.cells.get("SHAPE")
+    return (
+        "RESIDUAL" not in values.cells
+        or shape == "2GEO"
+        or (shape == "API" and row.law != "cohesionless")
+    )
 
 
 def _type(

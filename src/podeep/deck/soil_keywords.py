@@ -182,7 +182,7 @@ def _limit(name: str, meaning: str, key: str) -> Column:
 
 
 _AXIAL = (
-    _shape(("EP", "API", "WSD", "2GEO"), "elastic-plastic, or points of API RP 2A-WSD or 2GEO"),
+    _shape(("EP", "API", "2GEO"), "elastic-plastic, or points of API RP 2A-WSD or 2GEO"),
     Column(
         "RESIDUAL",
         "share of the peak left at large displacement",

@@ -115,8 +115,7 @@ class Shaft(Law):
         _check_shape(self.shape, self.initial_stiffness)
         if self.residual is not None and not self._softens:
             raise InvalidData(
-                f"the t-z shape {self.shape} has no residual in this soil, but "
-                f"{self.residual:g} is given",
+                f"the t-z shape {self.shape} has no residual in this soil, but one is given",
                 "leave the residual out, or choose SHAPE=2GEO",
                 "RESIDUAL",
             )

@@ -82,7 +82,8 @@ def _unresolved(field: Field, coarse: Array, fine: Array) -> Array:
     error = np.abs(known @ gauss_interpolation(xi, known.shape[-1]).T - true)
     missing = (error @ weight).sum(axis=1) * lengths
     whole = ((np.abs(true) @ weight).sum(axis=1) @ lengths)[:, None]
-    return np.divide(missing, whole, out=np.zeros(missing.shape), where=whole > 0.0)
+    share: Array = np.divide(missing, whole, out=np.zeros(missing.shape), where=whole > 0.0)
+    return share
 
 
 def _change(new: Array, old: Array) -> Array:

@@ -59,7 +59,7 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
     scene is taken as it is.
     """
     model = first_model(scene, foundation)
-    factors = np.array(scene.steps.factors).reshape(-1, len(scene.steps.names))
+    factors = np.array(scene.steps.factors).reshape(len(scene.steps.factors), -1)
     for round_ in range(_ROUNDS + 1):
         states, failure = run(model, factors, limits(scene))
         found = estimate(model, rebuilt(scene, model, model.edges, 1), states)
