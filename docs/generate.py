@@ -1,4 +1,4 @@
-"""Pages and pictures of the manual that are made from the code, so that they cannot be out of date."""
+"""Pages of the manual that are made from the code."""
 
 from pathlib import Path
 

@@ -200,6 +200,20 @@ def test_curves_are_those_of_the_law(deck: Path, capsys: pytest.CaptureFixture[s
     assert "friction angle 34 deg" in capsys.readouterr().out
 
 
+def test_a_residual_varies_between_two_curves_like_any_parameter(
+    deck: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """0.9 at the mudline to 0.7 at 9 m: 0.8 of the peak is left at 4.5 m."""
+    changed(deck, "*TZCURVE, SHAPE=2GEO\n1 0", "*TZCURVE, SHAPE=2GEO, RESIDUAL=0.9\n1 0")
+    changed(deck, "*TZCURVE, SHAPE=2GEO\n2 0", "*TZCURVE, SHAPE=2GEO, RESIDUAL=0.7\n2 0")
+    at = f"{0.01 * 2.134!r},{0.02 * 2.134!r},1"
+    assert main(["curves", str(deck), "--depth", "4.5", "--at", at, "--csv"]) == 0
+    rows = list(csv.DictReader(io.StringIO(capsys.readouterr().out)))
+    peak, left, still = (float(r["reaction"]) for r in rows if r["curve"] == "tz")
+    assert left == pytest.approx(0.8 * peak, rel=1e-12)
+    assert still == pytest.approx(left, rel=1e-12)
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

@@ -107,7 +107,7 @@ class Shaft(Law):
     diameter: Values
     initial_stiffness: Values
     shape: str = "EP"
-    residual: float | None = None
+    residual: Values | None = None
     default_residual: ClassVar[float] = 1.0
     api_is_2geo: ClassVar[bool] = True
 
@@ -139,7 +139,10 @@ class Shaft(Law):
         if not self._softens:
             return Polyline.through(_ELASTIC_PLASTIC, force, _SAND_PEAK)
         residual = self.default_residual if self.residual is None else self.residual
-        return Polyline.through((*_FRICTION, (_RESIDUAL_AT, residual)), force, self.diameter)
+        nodes, ratios = np.array((*_FRICTION, (_RESIDUAL_AT, 1.0)), dtype=float).T
+        values = ratios[:, None] * np.atleast_1d(force)
+        values[-1] *= residual
+        return Polyline(nodes, values, np.atleast_1d(self.diameter)).mirrored()
 
     @property
     def capacity(self) -> Array:
