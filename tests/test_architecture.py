@@ -9,7 +9,7 @@ SOURCE = Path(__file__).parents[1] / "src" / "podeep"
 
 #: Every module, lowest first: a file imports only from files above it in this list.
 ORDER = """
-__init__ arrays errors units scene
+__init__ arrays errors files units scene
 deck.__init__ deck.faults deck.scan deck.column deck.soil_keywords deck.model_keywords
 deck.keywords deck.cells deck.registry deck.curves deck.ground deck.structure deck.actions
 deck.paragraphs deck.read

@@ -7,7 +7,19 @@ from typing import Any
 
 import numpy as np
 
-from .scene import Curve, Foundation, Ground, Newton, Numerics, Scene, Section
+from .scene import (
+    Curve,
+    Displacement,
+    Foundation,
+    Ground,
+    Load,
+    Newton,
+    Numerics,
+    Scene,
+    Section,
+    Spring,
+    Support,
+)
 from .units import PARAMETER_UNITS, short
 
 
@@ -117,14 +129,10 @@ def marked(text: str, given: object, default: object) -> str:
 def action_lines(scene: Scene) -> Iterator[str]:
     """Supports, springs, loads and imposed displacements."""
     for support in scene.supports:
-        held = " ".join(support.dofs)
-        yield f"tube {support.tube} at {short(support.elevation)} m: {held} held"
+        yield f"{_place(support)}: {' '.join(support.dofs)} held"
     for spring in scene.springs:
         unit = "N m/rad" if spring.dof.startswith("R") else "N/m"
-        yield (
-            f"tube {spring.tube} at {short(spring.elevation)} m: spring {spring.dof} "
-            f"{short(spring.stiffness)} {unit}"
-        )
+        yield f"{_place(spring)}: spring {spring.dof} {short(spring.stiffness)} {unit}"
     for load in scene.loads:
         parts = [
             f"{name} {short(value)} {unit}"
@@ -136,16 +144,16 @@ def action_lines(scene: Scene) -> Iterator[str]:
             )
             if value
         ]
-        where = f"tube {load.tube} at {short(load.elevation)} m"
-        yield f"load {load.name} on {where}: {', '.join(parts) or 'nothing'}"
+        yield f"load {load.name} on {_place(load)}: {', '.join(parts) or 'nothing'}"
     for d in scene.displacements:
         unit = "rad" if d.dof.startswith("R") else "m"
-        yield (
-            f"displacement {d.name} of tube {d.tube} at {short(d.elevation)} m: "
-            f"{d.dof} {short(d.value)} {unit}"
-        )
+        yield f"displacement {d.name} of {_place(d)}: {d.dof} {short(d.value)} {unit}"
     if any(load.moment[2] for load in scene.loads):
         yield "torsion is held: the soil gives no resistance to it, MZ has no effect on the results"
+
+
+def _place(item: Support | Spring | Load | Displacement) -> str:
+    return f"tube {item.tube} at {short(item.elevation)} m"
 
 
 def step_lines(scene: Scene) -> Iterator[str]:

@@ -9,6 +9,7 @@ from .database.target import check_target
 from .database.write import Writer
 from .deck.read import Deck, read_deck
 from .errors import Fault, UserError
+from .files import make_folder
 from .record import Sheet, sheet
 from .report import run_report, step_table, summary
 from .scene import Scene
@@ -73,16 +74,6 @@ def run_deck(path: Path, directory: Path, *, force: bool, accuracy: float | None
     failure = "\n".join(explain(s, s.failure, names) for s in solved if s.failure)
     write(target, deck, scene, [sheet(scene, s) for s in solved], failure, force=force)
     return Run(path, scene.title, solved, target, failure)
-
-
-def make_folder(directory: Path) -> None:
-    """Make a folder for results, and those above it."""
-    try:
-        directory.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise UserError(
-            Fault(f"{directory} cannot be made: {error.strerror}", "choose another with -o")
-        ) from error
 
 
 def write(

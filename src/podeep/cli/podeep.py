@@ -11,6 +11,7 @@ from typing import TextIO
 from .. import __version__
 from ..database.read import Database, open_database
 from ..errors import ExitCode, Fault, UserError
+from ..files import make_folder
 from ..query import DatabaseKind
 from ..session.cases import find_databases
 from ..session.console import Console, Record, Recorder, ScriptConsole, no_record
@@ -67,7 +68,7 @@ def _parser() -> ArgumentParser:
 def _session(options: Namespace) -> ExitCode:
     with ExitStack() as stack:
         databases = _open(find_databases(options.databases, Path()), stack)
-        pictures = None if options.no_plot else _folder(options.folder)
+        pictures = None if options.no_plot else make_folder(options.folder)
         console = _console(options, stack)
         results = Results(databases, console, options.csv, pictures)
         converse(console, sources(databases), results)
@@ -91,16 +92,6 @@ def _open(paths: Iterable[Path], stack: ExitStack) -> dict[DatabaseKind, Databas
             reason = f": {plain(database.stop_reason)}" if database.stop_reason else ""
             sys.stderr.write(f"podeep: {path}: the run's status is {database.status}{reason}\n")
     return {kind: databases[kind] for kind in ("static", "dynamic") if kind in databases}
-
-
-def _folder(folder: Path) -> Path:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise UserError(
-            Fault(f"{folder} is no folder for pictures: {error.strerror}", "choose another with -o")
-        ) from error
-    return folder
 
 
 def _console(options: Namespace, stack: ExitStack) -> Console:

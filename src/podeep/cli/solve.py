@@ -11,6 +11,7 @@ import numpy as np
 
 from .. import __version__
 from ..errors import AnalysisFailed, ExitCode, UserError
+from ..files import make_folder
 from .common import guarded
 
 
@@ -141,8 +142,8 @@ def example(options: argparse.Namespace) -> ExitCode:
     taken = [name for name in names if (directory / name).exists()]
     if taken and not options.force:
         raise UserError(f"{directory / taken[0]} exists; --force replaces it")
+    make_folder(directory)
     try:
-        directory.mkdir(parents=True, exist_ok=True)
         for source in sources:
             (directory / source.name).write_bytes(source.read_bytes())
     except OSError as error:

@@ -3,7 +3,7 @@
 HDF5 does not survive a failed write: it can no longer close its file, and the process ends in a
 segmentation fault. So here it never sees one. The first error is kept, nothing is written after
 it, and `checked` raises it. As h5py calls this file back from within HDF5, an interrupt would be
-such a failure too: it waits until HDF5 is done.
+such a failure too: all use of HDF5 stands under `uninterrupted`.
 
 Until `publish` the first bytes are held back and others stand in their place, so that what a kill
 leaves half made is never taken for a database, and yet can be told to be ours.
@@ -32,16 +32,15 @@ class Stream(io.RawIOBase):
         self._head: bytearray | None = bytearray(len(UNFINISHED))
 
     def claim(self) -> None:
-        """Lock the file and mark it as ours; to be called first, within `checked`."""
+        """Lock the file and mark it as ours; to be called first."""
         lock(self._descriptor, fcntl.LOCK_EX)
         self._attempt(lambda: self._write(UNFINISHED, 0))
 
     @contextmanager
     def checked(self) -> Iterator[None]:
-        """Hold interrupts back, then raise what a write within or before has met."""
+        """Raise what a write within or before has met."""
         try:
-            with _uninterrupted():
-                yield
+            yield
         except REFUSED:
             self._raise()
             raise
@@ -119,7 +118,7 @@ class Stream(io.RawIOBase):
 
 
 @contextmanager
-def _uninterrupted() -> Iterator[None]:
+def uninterrupted() -> Iterator[None]:
     """Let SIGINT and SIGTERM wait, where a handler in Python might raise an exception."""
     main = threading.current_thread() is threading.main_thread()
     handlers = {s: h for s in (signal.SIGINT, signal.SIGTERM) if callable(h := signal.getsignal(s))}

@@ -35,7 +35,7 @@ from .schema import (
     Kind,
     Status,
 )
-from .stream import Stream
+from .stream import Stream, uninterrupted
 from .target import REFUSED, check_target, clear, told
 
 __all__ = ["Grid", "Writer", "check_target"]
@@ -64,6 +64,7 @@ class _Sink(NamedTuple):
             raise
         return cls(file, stream)
 
+    @uninterrupted()
     def close(self) -> None:
         """Close without complaint: what there was to tell has been told."""
         with suppress(*REFUSED), self.stream.checked():
@@ -174,6 +175,7 @@ class Writer:
         if self._waiting >= self._block:
             self.flush()
 
+    @uninterrupted()
     def flush(self) -> None:
         """Commit what is still in memory."""
         if not self._waiting:
@@ -215,6 +217,7 @@ class Writer:
         self.flush()
         self._move(self._committed, status, reason)
 
+    @uninterrupted()
     def _move(self, room: int, status: Status, reason: str = "") -> None:
         """Put a fresh file with this room, and all that is committed, in place of the partial."""
         running = status == "running"

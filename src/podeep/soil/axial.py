@@ -12,8 +12,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..errors import InvalidData
-from .backbone import Points, Polyline, Values
-from .law import Law
+from .backbone import Points, Polyline, TableLaw, Values
 
 #: t-z: (w/D, t/tmax) up to the peak; the residual is reached at w/D = 0.02
 _FRICTION: Points = ((0, 0), (0.0016, 0.3), (0.0031, 0.5), (0.0057, 0.75), (0.008, 0.9), (0.01, 1))
@@ -89,7 +88,7 @@ def _yield_displacement(peak: Array, stiffness: Values) -> Array:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Shaft(Law):
+class Shaft(TableLaw):
     """Friction per metre of a shaft, pi D t(w), odd in w. What every t-z law shares.
 
         EP      t = k w up to tmax, then constant: the original's statics
@@ -143,13 +142,6 @@ class Shaft(Law):
         values = ratios[:, None] * np.atleast_1d(force)
         values[-1] *= residual
         return Polyline(nodes, values, np.atleast_1d(self.diameter)).mirrored()
-
-    @property
-    def capacity(self) -> Array:
-        return self._backbone.capacity
-
-    def evaluate(self, u: Array) -> tuple[Array, Array]:
-        return self._backbone.evaluate(u)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -208,7 +200,7 @@ class DirectShaft(Shaft):
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Tip(Law):
+class Tip(TableLaw):
     """Bearing of a tip on pi D^2/4, in compression (w > 0, down) alone. What every Q-z law shares.
 
         EP          q = k w up to qmax, then constant: the original's statics
@@ -244,13 +236,6 @@ class Tip(Law):
             limit = _yield_displacement(peak, self.initial_stiffness)
             return Polyline.through(_ELASTIC_PLASTIC, force, limit, odd=False)
         return Polyline.through(_BEARING, force, self.diameter, odd=False)
-
-    @property
-    def capacity(self) -> Array:
-        return self._backbone.capacity
-
-    def evaluate(self, u: Array) -> tuple[Array, Array]:
-        return self._backbone.evaluate(u)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

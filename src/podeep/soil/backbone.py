@@ -3,6 +3,7 @@
 One mechanism serves them all. What differs is where the points come from and their two scales.
 """
 
+from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -86,8 +87,24 @@ class Polyline:
         return force, stiffness
 
 
+class TableLaw(Law):
+    """A law that is a polyline at each of its points."""
+
+    @cached_property
+    @abstractmethod
+    def _backbone(self) -> Polyline:
+        """The curve, made once."""
+
+    @property
+    def capacity(self) -> Array:
+        return self._backbone.capacity
+
+    def evaluate(self, u: Array) -> tuple[Array, Array]:
+        return self._backbone.evaluate(u)
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
-class UserCurve(Law):
+class UserCurve(TableLaw):
     """Reaction through the user's own points, straight lines between them.
 
     The curve starts at (0, 0), is odd, and holds the last reaction beyond the last point.
@@ -117,13 +134,6 @@ class UserCurve(Law):
             self.displacement_scale,
             odd=False,
         )
-
-    @property
-    def capacity(self) -> Array:
-        return self._backbone.capacity
-
-    def evaluate(self, u: Array) -> tuple[Array, Array]:
-        return self._backbone.evaluate(u)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
