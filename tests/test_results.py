@@ -137,6 +137,10 @@ def test_a_moment_about_y_shares_the_plane_of_a_force_in_x() -> None:
     load = Load("M", 1, 10.0, (0.0, 0.0, 0.0), (0.0, 1e6, 0.0))
     wanted = needs(replace(scene, loads=(*scene.loads, load)), scene.foundations[0])
     assert (wanted.components, wanted.lateral_axis) == (1, 0.0)
+    diagonal = reference_pile((1e6, 1e6, 0.0))
+    along = Load("M", 1, 10.0, (0.0, 0.0, 0.0), (-1e6, 1e6, 0.0))
+    turned = needs(replace(diagonal, loads=(*diagonal.loads, along)), scene.foundations[0])
+    assert (turned.components, turned.lateral_axis) == (1, 45.0)
     across = Load("M", 1, 10.0, (0.0, 0.0, 0.0), (1e6, 0.0, 0.0))
     assert needs(replace(scene, loads=(*scene.loads, across)), scene.foundations[0]).components == 2
 
