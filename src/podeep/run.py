@@ -88,7 +88,9 @@ def write(
         deck_text=deck.text,
         grids=[s.grid for s in sheets],
         loads=scene.steps.names,
+        history=f"podeep-solve run {target.stem}",
         force=force,
+        block=len(steps),
     ) as writer:
         values = {name: v[: len(steps)] for s in sheets for name, v in s.values.items()}
         writer.append(steps, values)

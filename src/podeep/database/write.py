@@ -54,15 +54,16 @@ class _Sink(NamedTuple):
     @classmethod
     def create(cls, path: Path) -> Self:
         stream = Stream(path)
+        made: Stream | Self = stream
         try:
             with stream.checked():
                 stream.claim()
-                file = h5py.File(stream, "w", libver=_FORMAT, track_order=True)
+                made = sink = cls(h5py.File(stream, "w", libver=_FORMAT, track_order=True), stream)
         except BaseException:
-            stream.close()
+            made.close()  # HDF5 left open would end the process in a segmentation fault
             path.unlink()
             raise
-        return cls(file, stream)
+        return sink
 
     @uninterrupted()
     def close(self) -> None:
