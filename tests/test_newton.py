@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+
 from podeep.arrays import Array
 from podeep.model.needs import Needs
 from podeep.scene import Ground, Numerics, Scene
