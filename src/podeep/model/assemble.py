@@ -106,7 +106,8 @@ def quadrature(boundaries: Array, elements: Index, count: int) -> tuple[Array, A
     xi, weight = gauss_points(count)
     half = 0.5 * np.diff(boundaries)[elements, None]
     x = boundaries[elements, None] + half * (xi + 1.0)
-    return x.ravel(), (half * weight).ravel()
+    # an edge may stand a millimetre off the mudline that it stands for
+    return np.maximum(x.ravel(), 0.0), (half * weight).ravel()
 
 
 def lateral_problem(

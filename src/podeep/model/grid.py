@@ -48,7 +48,7 @@ def split(x: Array, jumps: Array) -> Array:
 
 
 def output_depths(results: Results, accuracy: float) -> Array:
-    """Depths from mudline to tip, m, rising; a jump is two depths 1e-6 m apart.
+    """Depths from mudline (or a top below it) to tip, m, rising; a jump is two 1e-6 m apart.
 
     They hold the element ends, the multiples of a round spacing, and as many halvings of these as
     it takes for cubics through displacements and slopes and straight lines through reactions to
@@ -57,8 +57,9 @@ def output_depths(results: Results, accuracy: float) -> Array:
     edges = results.model.edges
     tip = float(edges[-1])
     jumps = soil_jumps(results)
-    needed = np.concatenate([[0.0], jumps, edges[edges >= 0.0]])
-    x = split(merge(needed, regular(0.0, tip)), jumps)
+    top = max(float(edges[0]), 0.0)
+    needed = np.concatenate([[top], jumps[jumps > top], edges[edges >= top]])
+    x = split(merge(needed, regular(top, tip)), jumps[jumps > top])
     for _ in range(_BISECTIONS):
         worst = interpolation_error(results, x)
         wide = np.flatnonzero((worst > accuracy) & (np.diff(x) > 100.0 * JUMP))

@@ -16,7 +16,7 @@ from ..scene import Section, Tube
 from ..soil.profile import Profile
 from ..soil.reaction import Reaction
 
-_TOUCH = 1e-6  # boundaries closer than this are one, m
+TOUCH = 1e-3  # boundaries closer than this are one, m: shorter elements are mere rounding
 _PROBE = 0.01  # displacement at which the soil's modulus is taken, in diameters
 _SAMPLES = 16  # soil moduli taken in each stretch
 _COARSEN = 0.1  # growth of the element per characteristic length below the mudline
@@ -32,7 +32,7 @@ class Stretch:
 
     @property
     def embedded(self) -> bool:
-        return self.bottom > _TOUCH
+        return self.bottom > TOUCH
 
     @property
     def length(self) -> float:
@@ -47,7 +47,7 @@ def stretches(
     wanted = [0.0, *profile.boundaries, *others, *(mudline - s.top for s in tube.sections)]
     cuts = [top]
     for x in sorted(wanted):
-        if cuts[-1] + _TOUCH < x < tip - _TOUCH:
+        if cuts[-1] + TOUCH < x < tip - TOUCH:
             cuts.append(x)
     cuts.append(tip)
     pieces = []

@@ -76,20 +76,20 @@ def common_axis(vectors: list[tuple[float, float]]) -> float | None:
 
 def isotropic(scene: Scene, foundation: Foundation) -> bool:
     """Whether everything that holds the tube sideways holds it alike in x and y."""
-    hold: dict[tuple[int, float, bool], list[float]] = {}
+    hold: dict[tuple[int, float, bool, str], list[float]] = {}
 
-    def add(tube: int, elevation: float, dof: str, amount: float) -> None:
+    def add(kind: str, tube: int, elevation: float, dof: str, amount: float) -> None:
         if tube in foundation.tubes and dof in ("X", "Y", "RX", "RY"):
-            pair = hold.setdefault((tube, elevation, dof.startswith("R")), [0.0, 0.0])
+            pair = hold.setdefault((tube, elevation, dof.startswith("R"), kind), [0.0, 0.0])
             pair[dof in ("Y", "RX")] += amount
 
     for support in scene.supports:
         for dof in support.dofs:
-            add(support.tube, support.elevation, dof, 1.0)
+            add("held", support.tube, support.elevation, dof, 1.0)
     for spring in scene.springs:
-        add(spring.tube, spring.elevation, spring.dof, spring.stiffness)
+        add("spring", spring.tube, spring.elevation, spring.dof, spring.stiffness)
     for d in scene.displacements:
-        add(d.tube, d.elevation, d.dof, 1.0)
+        add("moved", d.tube, d.elevation, d.dof, 1.0)
     return all(pair[0] == pair[1] for pair in hold.values())
 
 

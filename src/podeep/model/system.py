@@ -64,6 +64,11 @@ class System:
         self._build_tangent(shape, springs)
         weighted = sparse.csr_array((shape * weight[:, None]).T)
         self._shape, self._weighted = _compact(shape), _compact(weighted)
+        modes, stiffness = field.strain_modes
+        self._strain = _compact(modes)
+        self._stress = _compact(sparse.csr_array((modes * stiffness[:, None]).T))
+        self._springs = np.zeros(self.size)
+        np.add.at(self._springs, [s.dof for s in springs], [s.stiffness for s in springs])
 
     def _build_tangent(self, shape: sparse.csr_array, springs: Sequence[Spring]) -> None:
         field, m = self.field, self.components
@@ -82,7 +87,6 @@ class System:
             linear += scatter(place, entries, storage)
         for spring in springs:
             linear[spring.dof * self.width] += spring.stiffness
-        self._stiffness = _compact(self._from_band(linear))
         self.diagonal = linear[:: self.width].copy()
         keep = self._kept(free)
         linear *= keep
@@ -90,14 +94,6 @@ class System:
         linear[held_place] = 1.0
         self._linear = linear
         self._spread = self._spreading(shape, keep, storage)
-
-    def _from_band(self, band: Array) -> sparse.csr_array:
-        columns, diagonals = np.divmod(np.flatnonzero(band), self.width)
-        rows, values = columns + diagonals, band[band != 0.0]
-        shape = (self.size, self.size)
-        lower = sparse.coo_array((values, (rows, columns)), shape=shape)
-        strict = sparse.coo_array((values * (rows != columns), (columns, rows)), shape=shape)
-        return sparse.csr_array(lower + strict)
 
     def _kept(self, free: npt.NDArray[np.bool_]) -> Array:
         """1 where row and column of a stored entry are both free, 0 elsewhere."""
@@ -154,13 +150,18 @@ class System:
         if self.components == 1:
             distance = u[:, 0]
             force, modulus = self.react(distance)
-            soil = self._weighted @ force
+            inner = self._stress @ (self._strain @ q)
+            inner += self._weighted @ force
         else:
             distance = np.hypot(u[:, 0], u[:, 1])
             force, modulus = self.react(distance)
-            soil = (self._weighted @ (secant(force, distance, modulus)[:, None] * u)).ravel()
+            rows = q.reshape(-1, self.components)
+            inner = self._stress @ (self._strain @ rows)
+            inner += self._weighted @ (secant(force, distance, modulus)[:, None] * u)
+            inner = inner.ravel()
         self._state = (u, distance, force, modulus)
-        return np.asarray(self._stiffness @ q + soil)
+        inner += self._springs * q
+        return np.asarray(inner)
 
     def solve(self, right: Array) -> Array | None:
         """Solve with the tangent at the last `internal`; None for a mechanism.
@@ -177,9 +178,12 @@ class System:
             x = self._solve(secant(force, distance, modulus), right)
         return x
 
-    def stable(self) -> bool:
-        """Whether the tangent at the last `internal` is positive definite."""
-        return self._solve(self._state[3], np.zeros(self.size)) is not None
+    def restrained(self, probe: float) -> bool:
+        """Whether soil and holds carry any small load, the soil's modulus taken at `probe`, m."""
+        u = np.full(len(self.weight), probe)
+        force, _ = self.react(u)
+        self._state = (np.stack([u] * self.components, axis=1), u, force, force / probe)
+        return self._solve(force / probe, np.zeros(self.size)) is not None
 
     def _solve(self, modulus: Array, right: Array) -> Array | None:
         if self.components == 2:

@@ -20,6 +20,7 @@ from .newton import Limits, newton
 from .statics import State
 
 _LIMITS = Limits(residual=1e-7)
+_REST = 1e-6  # share of the run's largest value below which a step is at rest
 _REFINE = 0.2  # elements with at least this share of the largest unresolved force are halved
 
 
@@ -82,6 +83,7 @@ def _unresolved(field: Field, coarse: Array, fine: Array) -> Array:
     error = np.abs(known @ gauss_interpolation(xi, known.shape[-1]).T - true)
     missing = (error @ weight).sum(axis=1) * lengths
     whole = ((np.abs(true) @ weight).sum(axis=1) @ lengths)[:, None]
+    whole = np.maximum(whole, _REST * whole.max(initial=0.0))
     share: Array = np.divide(missing, whole, out=np.zeros(missing.shape), where=whole > 0.0)
     return share
 
@@ -100,6 +102,8 @@ def _largest(values: Array) -> Array:
 
 
 def _ratio(change: Array, size: Array) -> Array:
+    """Change over size; a step at rest is measured by a share of the largest step."""
+    size = np.maximum(size, _REST * size.max(initial=0.0))
     return np.divide(change, size, out=np.zeros(len(size)), where=size > 0.0)
 
 
@@ -108,6 +112,9 @@ def estimate(model: Model, richer: Model, states: Sequence[State]) -> tuple[Esti
     factors = np.array([s.factors for s in states])
     lateral = _corrected(model.lateral, richer.lateral, [s.lateral for s in states], factors)
     axial = _corrected(model.axial, richer.axial, [s.axial for s in states], factors)
+    reported = Results(
+        model, np.array([s.lateral for s in states]), np.array([s.axial for s in states])
+    )
     old = Results(richer, lateral[0], axial[0])
     new = Results(richer, lateral[1], axial[1])
     x, shaft = (model.lateral.system.points[0].x, model.axial.system.points[0].x)
@@ -119,13 +126,13 @@ def estimate(model: Model, richer: Model, states: Sequence[State]) -> tuple[Esti
         Estimate(
             _change(new.deflection(every), old.deflection(every)),
             _change_of_largest(new.lateral_reaction(fine_x), pressed),
-            _change(new.shear_and_moment(every)[1], old.shear_and_moment(every)[1]),
+            _change(new.shear_and_moment(every)[1], reported.shear_and_moment(every)[1]),
             _unresolved(field, old.lateral_reaction(x), pressed),
         ),
         Estimate(
             _change(new.settlement(every), old.settlement(every)),
             _change_of_largest(new.axial_reaction(fine_shaft), held),
-            _change(new.compression(every), old.compression(every)),
+            _change(new.compression(every), reported.compression(every)),
             _unresolved(field, old.axial_reaction(shaft), held),
         ),
     )

@@ -18,7 +18,7 @@ from .statics import Failure, NoEquilibrium, State, steps
 DEGREE = 5  # of the deflection in an element, unless the scene says otherwise
 _SIZE = {3: 0.2, 5: 0.4, 7: 0.8}  # first element length, in characteristic lengths
 _ROUNDS = 14  # of refinement
-_MOST_ELEMENTS = 2000
+_MOST_ELEMENTS = 2000  # of a tube after refinement
 
 
 @dataclass(frozen=True)
@@ -29,6 +29,17 @@ class Solved:
     states: tuple[State, ...]
     estimates: tuple[Estimate, Estimate]  # lateral, axial
     failure: Failure | None
+    accuracy: float  # that was asked for
+
+    @property
+    def error(self) -> float:
+        """Largest estimated error in any step."""
+        return max(float(e.worst.max()) for e in self.estimates)
+
+    @property
+    def accurate(self) -> bool:
+        """Whether the estimated errors are within the accuracy asked."""
+        return self.error <= self.accuracy
 
     @property
     def results(self) -> Results:
@@ -60,17 +71,21 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
     """
     model = first_model(scene, foundation)
     factors = np.array(scene.steps.factors).reshape(len(scene.steps.factors), -1)
+    best: Solved | None = None
     for round_ in range(_ROUNDS + 1):
         states, failure = run(model, factors, limits(scene))
         found = estimate(model, rebuilt(scene, model, model.edges, 1), states)
-        enough = all(e.worst.max() <= scene.numerics.accuracy for e in found)
+        if best is not None and len(states) < len(best.states):
+            break  # finer elements than the arithmetic carries: the coarser ones stand
+        best = Solved(model, tuple(states), found, failure, scene.numerics.accuracy)
         last = round_ == _ROUNDS or 2 * model.elements > _MOST_ELEMENTS
-        if enough or last or scene.numerics.elements is not None:
+        if best.accurate or last or scene.numerics.elements is not None:
             break
         field = model.lateral.system.field
         finer = refine(model.edges, field, found, scene.numerics.accuracy)
         model = rebuilt(scene, model, finer, 0)
-    return Solved(model, tuple(states), found, failure)
+    assert best is not None
+    return best
 
 
 def first_model(scene: Scene, foundation: Foundation) -> Model:

@@ -12,7 +12,8 @@ from ..model.system import System
 
 _CUT = 0.5  # a step is accepted when the slope of the energy fell to this share
 _SEARCHES = 40
-_FLOOR_CAP = 1e-6  # rounding may excuse a residual up to this share of the forces, never more
+_REST = 1e-6  # share of the run's largest force and unknown below which a state is at rest
+_STILL = 0.1  # of the limit of the residual: share of the unknowns that a step of rounding moves
 _EPS = float(np.finfo(float).eps)
 
 
@@ -26,16 +27,31 @@ class Ending(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """When to stop: residual over largest force, increment over largest unknown, iterations."""
+    """When to stop.
+
+    residual: largest force out of balance over the largest force. increment: largest part of an
+    unknown that the last step moved over the largest unknown. iterations: most of them.
+    """
 
     residual: float
     increment: float = np.inf
     iterations: int = 60
 
 
+@dataclass(frozen=True, slots=True)
+class Scale:
+    """Largest force (N) and unknown (m) of the whole run, for states that are nearly at rest."""
+
+    force: float = 0.0
+    unknown: float = 0.0
+
+
+_NO_SCALE = Scale()
+
+
 @dataclass(slots=True)
 class Work:
-    """What was spent; a factorisation is one solution with the tangent."""
+    """What was spent: solutions with the tangent, evaluations of the internal forces."""
 
     iterations: int = 0
     evaluations: int = 0
@@ -52,11 +68,16 @@ class Outcome:
     work: Work
 
 
-def newton(system: System, start: Array, load: Array, limits: Limits) -> Outcome:
+def newton(
+    system: System, start: Array, load: Array, limits: Limits, scale: Scale = _NO_SCALE
+) -> Outcome:
     """Equilibrium of `system` under `load` (shape (n,)) from the unknowns `start`.
 
     Held unknowns keep their value in `start`. The energy of a path independent, non-softening
     reaction is convex, so that the search along each Newton direction makes every step descend.
+
+    Short elements on a stiff tube make forces of mere rounding. Then the residual cannot become
+    small, but the step that would remove it can: it is equilibrium when that step moves nothing.
     """
     work = Work()
 
@@ -68,28 +89,30 @@ def newton(system: System, start: Array, load: Array, limits: Limits) -> Outcome
             residual[system.held] = 0.0
         return internal, residual
 
-    load_size = _largest(load)
+    least = max(_largest(load), _REST * scale.force)
     q, increment = start, 0.0
     internal, residual = evaluate(q)
     ending = Ending.EXHAUSTED
     for remaining in range(limits.iterations, -1, -1):
-        size = max(_largest(internal), load_size)
+        size = max(_largest(internal), least)
         worst = _largest(residual)
-        accurate = worst <= limits.residual * size and increment <= limits.increment
-        if accurate or (worst <= _FLOOR_CAP * size and worst <= rounding(system, q)):
+        if worst <= limits.residual * size and increment <= limits.increment:
             ending = Ending.CONVERGED
             break
         if remaining == 0:
             break
         step = system.solve(residual)
         work.iterations += 1
-        slope = float(step @ residual) if step is not None else 0.0
-        if step is None or not slope > 0.0:  # a NaN is no descent either
+        if step is None or not np.isfinite(slope := float(step @ residual)):
             ending = Ending.MECHANISM
             break
+        reach = max(_largest(q), _REST * scale.unknown)
+        if _largest(step) <= _STILL * limits.residual * reach and worst <= rounding(system, q):
+            ending = Ending.CONVERGED
+            break
+        before = q
         q, internal, residual = search(evaluate, q, step, slope)
-        size = _largest(q)
-        increment = _largest(step) / size if size else 0.0
+        increment = _largest(q - before) / reach if reach else 0.0
     return Outcome(q, internal, ending, worst / size if size else 0.0, work)
 
 
@@ -100,7 +123,7 @@ def _largest(x: Array) -> float:
 
 def rounding(system: System, q: Array) -> float:
     """What rounding alone may leave of the residual, N."""
-    return 8.0 * _EPS * float((system.diagonal * np.abs(q)).max())
+    return 64.0 * _EPS * float((system.diagonal * np.abs(q)).max())
 
 
 def search(

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..model.assemble import Model, Problem
-from .newton import Ending, Limits, Outcome, Work, newton
+from .newton import Ending, Limits, Outcome, Scale, Work, newton
 
 _HALVINGS = 10
 
@@ -61,6 +61,7 @@ class _Path:
     internal: Array
     increment: Array | None = None
     energy: float = 0.0
+    scale: Scale = Scale()
 
     def advance(self, before: Array, after: Array) -> tuple[Outcome, float, float, Work]:
         """Go from factors `before` to `after`; outcome, part reached, smallest part, work."""
@@ -89,12 +90,16 @@ class _Path:
         system = self.problem.system
         start = self.q + guess if guess is not None else self.q.copy()
         start[system.held] = self.problem.prescribed(factors)[system.held]
-        return newton(system, start, self.problem.load(factors), self.limits)
+        return newton(system, start, self.problem.load(factors), self.limits, self.scale)
 
     def _accept(self, outcome: Outcome) -> None:
         move = outcome.q - self.q
         self.energy += 0.5 * float((outcome.internal + self.internal) @ move)
         self.q, self.internal, self.increment = outcome.q, outcome.internal, move
+        self.scale = Scale(
+            max(self.scale.force, float(np.abs(outcome.internal).max())),
+            max(self.scale.unknown, float(np.abs(outcome.q).max())),
+        )
 
 
 def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
