@@ -75,6 +75,12 @@ class AnalysisFailed(PodeepError):
     exit_code = ExitCode.FAILED
 
 
+class Interrupted(PodeepError):
+    """The user ended the run; the message says what was kept."""
+
+    exit_code = ExitCode.INTERRUPTED
+
+
 class AnswerRefused(PodeepError):
     """A scripted answer was refused or is missing."""
 

@@ -42,11 +42,12 @@ def sheet(scene: Scene, solved: Solved) -> Sheet:
         tubes={tube.id: foundation.mudline - x},
     )
     values = {
-        "load_factor": np.array([s.factors for s in solved.states]),
         **soil_values(results, depth, axis),
         **{f"tubes/{tube.id}/{k}": v for k, v in tube_values(results, x).items()},
         **progress_values(solved),
     }
+    if scene.steps.names:
+        values["load_factor"] = np.array([s.factors for s in solved.states])
     named = {f"{foundation.name}/{name}": value for name, value in values.items()}
     return Sheet(grid, np.array([s.step for s in solved.states]), named)
 

@@ -1,5 +1,6 @@
 """The solver's commands as functions: from a deck's path to a database and a report."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -8,7 +9,7 @@ from .arrays import Array
 from .database.target import check_target
 from .database.write import Writer
 from .deck.read import Deck, read_deck
-from .errors import Fault, UserError
+from .errors import Fault, Interrupted, UserError
 from .files import make_folder
 from .record import Sheet, sheet
 from .report import run_report, step_table, summary
@@ -33,6 +34,15 @@ class Run:
     database: Path | None
     failure: str
 
+    def warnings(self) -> tuple[str, ...]:
+        """What the user must know of results that are there."""
+        return tuple(
+            f"{s.model.foundation.name}: the accuracy asked, {s.accuracy:g}, was not reached: the "
+            f"largest estimated error is {s.error:.1e} with {s.model.elements} elements"
+            for s in self.solved
+            if not s.accurate
+        )
+
     def text(self, verbose: bool = False) -> str:
         """The report in words."""
         parts = [self.title] if self.title else []
@@ -50,6 +60,7 @@ class Run:
             "title": self.title,
             "foundations": [summary(one) for one in self.solved],
             "database": str(self.database) if self.database else None,
+            "warnings": list(self.warnings()),
             "failure": self.failure or None,
         }
 
@@ -69,17 +80,35 @@ def run_deck(path: Path, directory: Path, *, force: bool, accuracy: float | None
     target = directory / path.with_suffix(".dss").name
     make_folder(directory)
     check_target(target, force=force)
-    solved = tuple(solve(scene, foundation) for foundation in scene.foundations)
+    solved = tuple(until_interrupted(scene))
     names = scene.steps.names
     failure = "\n".join(explain(s, s.failure, names) for s in solved if s.failure)
-    write(target, deck, scene, [sheet(scene, s) for s in solved], failure, force=force)
+    sheets = [sheet(scene, s) for s in solved]
+    interrupted = solved[-1].interrupted
+    write(target, deck, scene, sheets, failure, interrupted=interrupted, force=force)
     return Run(path, scene.title, solved, target, failure)
 
 
+def until_interrupted(scene: Scene) -> Iterator[Solved]:
+    """Solve the foundations one after the other; an interrupted one is the last."""
+    for foundation in scene.foundations:
+        one = solve(scene, foundation)
+        yield one
+        if one.interrupted:
+            return
+
+
 def write(
-    target: Path, deck: Deck, scene: Scene, sheets: list[Sheet], failure: str, *, force: bool
+    target: Path,
+    deck: Deck,
+    scene: Scene,
+    sheets: list[Sheet],
+    failure: str,
+    *,
+    interrupted: bool,
+    force: bool,
 ) -> None:
-    """Write the steps that all foundations have."""
+    """Write the steps that all foundations have; those of an interrupted run stay a partial."""
     steps = min((s.steps for s in sheets), key=len)
     with Writer(
         target,
@@ -94,6 +123,9 @@ def write(
     ) as writer:
         values = {name: v[: len(steps)] for s in sheets for name, v in s.values.items()}
         writer.append(steps, values)
+        if interrupted:
+            last = f"{len(steps) - 1} of {len(scene.steps.factors)} steps"
+            raise Interrupted(f"interrupted; {last} are kept in {writer.path}")
         writer.finish("stopped" if failure else "complete", failure)
 
 

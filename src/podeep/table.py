@@ -3,6 +3,7 @@
 import csv
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from io import StringIO
 from textwrap import wrap
 
@@ -17,7 +18,7 @@ ANALYSES = {"step_evolution": "Step evolution", "snapshot": "Snapshot", "envelop
 """Titles of the analyses in tables and pictures."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class _Column:
     """Cells under a header; `span` is what the headers of neighbouring columns are values of."""
 
@@ -25,7 +26,7 @@ class _Column:
     cells: Sequence[str]
     span: str = ""
 
-    @property
+    @cached_property
     def width(self) -> int:
         return max(len(self.header), *(len(cell) for cell in self.cells))
 

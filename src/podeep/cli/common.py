@@ -20,6 +20,9 @@ def guarded(program: str, body: Callable[[], int]) -> int:
     except BrokenPipeError:  # the reader of our output left: nobody to tell, and no fault of ours
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return ExitCode.DONE
+    except OSError as error:
+        where = f" {error.filename}" if error.filename else ""
+        return told(program, f"the system refused{where}: {error.strerror}", ExitCode.USAGE)
     except Exception:  # noqa: BLE001 - the last door: a bug is told, never thrown at the user
         report = traceback.format_exc()
         message = "this is a bug in podeep; please report it with the input and these lines:"

@@ -82,6 +82,8 @@ def run(options: argparse.Namespace) -> ExitCode:
     from ..run import run_deck
 
     done = run_deck(options.deck, options.directory, force=options.force, accuracy=options.accuracy)
+    for warning in done.warnings():
+        print(f"podeep-solve: warning: {warning}", file=sys.stderr)
     if options.json:
         print(json.dumps(done.as_json(), indent=2))
     elif not options.quiet:

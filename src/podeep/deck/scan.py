@@ -107,6 +107,9 @@ def _text(path: Path) -> str:
         raise _Unreadable(
             f"line {line} holds the byte 0x{byte:02x}, which is not UTF-8", "save the file as UTF-8"
         ) from error
+    if "\0" in text:
+        line = text.count("\n", 0, text.index("\0")) + 1
+        raise _Unreadable(f"line {line} holds a null character", "save the file as plain text")
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 

@@ -19,7 +19,7 @@ from ..model.results import Results, embedded
 from .newton import Limits, newton
 from .statics import State
 
-_LIMITS = Limits(residual=1e-7)
+_RESIDUAL = 1e-4  # of the accuracy: how near the richer elements come to equilibrium
 _REST = 1e-6  # share of the run's largest value below which a step is at rest
 _REFINE = 0.2  # elements with at least this share of the largest unresolved force are halved
 
@@ -57,13 +57,13 @@ def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
 
 
 def _corrected(
-    coarse: Problem, fine: Problem, states: Sequence[Array], factors: Array
+    coarse: Problem, fine: Problem, states: Sequence[Array], factors: Array, limits: Limits
 ) -> tuple[Array, Array]:
     """States prolonged to the fine problem, and its own equilibria near them."""
     field, components = coarse.system.field, fine.system.components
     before = [prolong(q, field, fine.system.field, components) for q in states]
     after = [
-        newton(fine.system, q, fine.load(factor), _LIMITS).q
+        newton(fine.system, q, fine.load(factor), limits).q
         for q, factor in zip(before, factors, strict=True)
     ]
     return np.array(before), np.array(after)
@@ -107,11 +107,19 @@ def _ratio(change: Array, size: Array) -> Array:
     return np.divide(change, size, out=np.zeros(len(size)), where=size > 0.0)
 
 
-def estimate(model: Model, richer: Model, states: Sequence[State]) -> tuple[Estimate, Estimate]:
-    """Estimate the discretisation errors of `states` of `model`, lateral and axial."""
+def estimate(
+    model: Model, richer: Model, states: Sequence[State], accuracy: float
+) -> tuple[Estimate, Estimate]:
+    """Estimate the discretisation errors of `states` of `model`, lateral and axial.
+
+    accuracy: what is asked of them; equilibrium in the richer elements is found to a share of it.
+    """
+    limits = Limits(residual=_RESIDUAL * accuracy)
     factors = np.array([s.factors for s in states])
-    lateral = _corrected(model.lateral, richer.lateral, [s.lateral for s in states], factors)
-    axial = _corrected(model.axial, richer.axial, [s.axial for s in states], factors)
+    lateral = _corrected(
+        model.lateral, richer.lateral, [s.lateral for s in states], factors, limits
+    )
+    axial = _corrected(model.axial, richer.axial, [s.axial for s in states], factors, limits)
     reported = Results(
         model, np.array([s.lateral for s in states]), np.array([s.axial for s in states])
     )
@@ -136,6 +144,12 @@ def estimate(model: Model, richer: Model, states: Sequence[State]) -> tuple[Esti
             _unresolved(field, old.axial_reaction(shaft), held),
         ),
     )
+
+
+def unestimated(model: Model, steps: int) -> Estimate:
+    """Errors of 100 % for states whose estimate was not waited for."""
+    whole = np.ones(steps)
+    return Estimate(whole, whole, whole, np.zeros((steps, model.elements)))
 
 
 def refine(

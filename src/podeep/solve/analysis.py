@@ -1,22 +1,24 @@
 """A foundation from scene to solved states: model, steps, error estimate, refinement."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..arrays import Array
+from ..errors import Fault, UserError
 from ..model.assemble import Model, assemble, cut
 from ..model.mesh import edges
 from ..model.needs import needs
 from ..model.results import Results
 from ..scene import Foundation, Scene
 from ..soil.profile import Profile
-from .accuracy import Estimate, estimate, refine
+from .accuracy import Estimate, estimate, refine, unestimated
 from .newton import Limits
 from .statics import Failure, NoEquilibrium, State, steps
 
 DEGREE = 5  # of the deflection in an element, unless the scene says otherwise
 _SIZE = {3: 0.2, 5: 0.4, 7: 0.8}  # first element length, in characteristic lengths
+_PROBE = 0.01  # displacement at which the soil must resist, in diameters
 _ROUNDS = 14  # of refinement
 _MOST_ELEMENTS = 2000  # of a tube after refinement
 
@@ -30,6 +32,7 @@ class Solved:
     estimates: tuple[Estimate, Estimate]  # lateral, axial
     failure: Failure | None
     accuracy: float  # that was asked for
+    interrupted: bool = False  # by the user, before the last step or the accuracy was reached
 
     @property
     def error(self) -> float:
@@ -73,13 +76,18 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
     factors = np.array(scene.steps.factors).reshape(len(scene.steps.factors), -1)
     best: Solved | None = None
     for round_ in range(_ROUNDS + 1):
-        states, failure = run(model, factors, limits(scene))
-        found = estimate(model, rebuilt(scene, model, model.edges, 1), states)
+        states, failure, interrupted = run(model, factors, limits(scene))
+        richer = rebuilt(scene, model, model.edges, 1)
+        try:
+            found = estimate(model, richer, states, scene.numerics.accuracy)
+        except KeyboardInterrupt:
+            found, interrupted = (unestimated(model, len(states)),) * 2, True
         if best is not None and len(states) < len(best.states):
-            break  # finer elements than the arithmetic carries: the coarser ones stand
-        best = Solved(model, tuple(states), found, failure, scene.numerics.accuracy)
+            # finer elements than the arithmetic carries, or the user's patience: the coarser stand
+            return replace(best, interrupted=interrupted)
+        best = Solved(model, tuple(states), found, failure, scene.numerics.accuracy, interrupted)
         last = round_ == _ROUNDS or 2 * model.elements > _MOST_ELEMENTS
-        if best.accurate or last or scene.numerics.elements is not None:
+        if best.accurate or last or interrupted or scene.numerics.elements is not None:
             break
         field = model.lateral.system.field
         finer = refine(model.edges, field, found, scene.numerics.accuracy)
@@ -95,7 +103,22 @@ def first_model(scene: Scene, foundation: Foundation) -> Model:
     pieces = cut(scene, foundation, profile)
     boundaries = edges(pieces, profile, _SIZE[degree], scene.numerics.elements)
     wanted = needs(scene, foundation)
-    return assemble(scene, foundation, wanted, profile, pieces, boundaries, degree)
+    model = assemble(scene, foundation, wanted, profile, pieces, boundaries, degree)
+    check_restraint(model)
+    return model
+
+
+def check_restraint(model: Model) -> None:
+    """Raises UserError where neither soil nor holds resist a small lateral load that acts."""
+    problem, probe = model.lateral, _PROBE * model.pieces[-1].section.outer_diameter
+    driven = bool(problem.forces.any() or problem.imposed.any())
+    if driven and not problem.system.restrained(probe):
+        raise UserError(
+            Fault(
+                f"{model.foundation.name}: nothing holds the tube against its lateral loads",
+                "give it p-y curves (*GROUNDPROP), or *SUPPORT or *SPRING in the loads' directions",
+            )
+        )
 
 
 def rebuilt(scene: Scene, model: Model, boundaries: Array, more: int) -> Model:
@@ -105,12 +128,14 @@ def rebuilt(scene: Scene, model: Model, boundaries: Array, more: int) -> Model:
     return assemble(scene, *same, boundaries, degree)
 
 
-def run(model: Model, factors: Array, limit: Limits) -> tuple[list[State], Failure | None]:
-    """All states that can be found, and why they end before the last step, if they do."""
+def run(model: Model, factors: Array, limit: Limits) -> tuple[list[State], Failure | None, bool]:
+    """All states that can be found, why they end early if they do, whether the user ended them."""
     states: list[State] = []
     try:
         for state in steps(model, factors, limit):
             states.append(state)  # noqa: PERF402 - keeps what came before a failure
     except NoEquilibrium as stop:
-        return states, stop.failure
-    return states, None
+        return states, stop.failure, False
+    except KeyboardInterrupt:
+        return states, None, True
+    return states, None, False

@@ -8,54 +8,60 @@ from .newton import Ending
 from .statics import Failure
 
 _MOBILISED = 0.995  # share of its capacity from which a reaction counts as mobilised
+_LITTLE = 0.5  # of the capacity: below it the soil is not the reason
 
 
 def explain(solved: Solved, failure: Failure, names: tuple[str, ...]) -> str:
     """The failure as the user reads it; `names` are the loads that the factors belong to."""
     foundation = solved.model.foundation.name
-    part = failure.step - 1 + failure.reached
     factors = ", ".join(f"{n} {f:.4g}" for n, f in zip(names, failure.factors, strict=True))
-    which = "axial" if failure.axial else "lateral"
-    head = (
-        f"{foundation}: step {failure.step} has no {which} equilibrium beyond {part:.4g} steps "
-        f"(load factors {factors}): {failure.ending.value}"
-    )
-    return "\n".join([head, *(f"  {line}" for line in advice(solved, failure))])
+    lines = [
+        f"{foundation}: no {failure.which} equilibrium beyond {failure.reached:.3%} of step "
+        f"{failure.step}",
+        f"load factors reached: {factors}",
+        failure.ending.value,
+        *advice(solved, failure),
+    ]
+    return "\n  ".join(lines)
 
 
 def advice(solved: Solved, failure: Failure) -> list[str]:
-    """What is mobilised at the last step that was found, and the likely remedy."""
-    problem = solved.model.axial if failure.axial else solved.model.lateral
-    system, state = problem.system, solved.states[-1]
-    q = state.axial if failure.axial else state.lateral
-    u = system.displacement(q)
+    """What is mobilised at the last equilibrium that was found, and the likely remedy."""
+    system = getattr(solved.model, failure.which).system
+    u = system.displacement(getattr(failure, failure.which))
     distance = u[:, 0] if system.components == 1 else np.hypot(u[:, 0], u[:, 1])
     force, _ = system.react(distance)
     along = len(system.points[0].x)
     capacity = system.points[0].reaction.capacity
-    share = np.divide(
-        np.abs(force[:along]), capacity, out=np.zeros(along), where=np.isfinite(capacity)
-    )
-    share[capacity == 0.0] = 0.0
-    lines = [f"at step {state.step} {mobilised(system.points[0].x, share, failure.axial)}"]
-    if failure.axial:
-        shaft = float(system.weight[:along] @ capacity)
-        tip = float(system.points[1].reaction.capacity[0])
-        lines.append(f"capacity in compression: shaft {shaft:.4g} N, tip {tip:.4g} N")
-        lines.append("remedy: a longer or wider tube, a smaller axial load, or *SUPPORT ... Z")
-    elif failure.ending is Ending.MECHANISM and not share.any():
-        lines.append("remedy: give the tube p-y curves (*GROUNDPROP) or a lateral *SUPPORT")
+    known = np.isfinite(capacity) & (capacity > 0.0)
+    share = np.divide(np.abs(force[:along]), capacity, out=np.zeros(along), where=known)
+    lines = [f"there {mobilised(system.points[0].x, share, failure.which)}"]
+    if failure.which == "axial":
+        lines.append(axial_capacity(solved, bool(u[-1, 0] < 0.0)))
+    if share.max(initial=0.0) < _LITTLE and failure.ending is Ending.EXHAUSTED:
+        remedy = "more iterations (*NEWTONSTAT) or smaller steps (*QUASISTATIC)"
+    elif failure.which == "axial":
+        remedy = "a longer or wider tube, a smaller axial load, or *SUPPORT ... Z"
     else:
-        lines.append("remedy: a longer or wider tube, or a smaller lateral load")
-    return lines
+        remedy = "a longer or wider tube, a smaller lateral load, or a lateral *SUPPORT"
+    return [*lines, f"remedy: {remedy}"]
 
 
-def mobilised(x: Array, share: Array, axial: bool) -> str:
+def axial_capacity(solved: Solved, tension: bool) -> str:
+    """Peak friction over the shaft, and in compression the bearing of the tip."""
+    system = solved.model.axial.system
+    shaft, tip = (p.weight @ p.reaction.capacity for p in system.points)
+    if tension:
+        return f"capacity in tension: shaft {shaft:.4g} N"
+    return f"capacity in compression: shaft {shaft:.4g} N, tip {tip:.4g} N"
+
+
+def mobilised(x: Array, share: Array, which: str) -> str:
     """The depths over which the soil gives all it has."""
-    name = "shaft friction" if axial else "lateral resistance"
+    name = "shaft friction" if which == "axial" else "lateral resistance"
     full = share >= _MOBILISED
     if not full.any():
-        return f"no {name} is fully mobilised; the most used point is at {share.max():.0%}"
+        return f"no {name} is fully mobilised; the most used point is at {share.max(initial=0):.0%}"
     starts = np.flatnonzero(full & ~np.concatenate([[False], full[:-1]]))
     ends = np.flatnonzero(full & ~np.concatenate([full[1:], [False]]))
     runs = ", ".join(f"{x[a]:.3g} to {x[b]:.3g} m" for a, b in zip(starts, ends, strict=True))

@@ -46,7 +46,7 @@ class Scale:
     unknown: float = 0.0
 
 
-_NO_SCALE = Scale()
+NO_SCALE = Scale()
 
 
 @dataclass(slots=True)
@@ -69,7 +69,7 @@ class Outcome:
 
 
 def newton(
-    system: System, start: Array, load: Array, limits: Limits, scale: Scale = _NO_SCALE
+    system: System, start: Array, load: Array, limits: Limits, scale: Scale = NO_SCALE
 ) -> Outcome:
     """Equilibrium of `system` under `load` (shape (n,)) from the unknowns `start`.
 

@@ -2,12 +2,13 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from ..arrays import Array
 from ..model.assemble import Model, Problem
-from .newton import Ending, Limits, Outcome, Scale, Work, newton
+from .newton import NO_SCALE, Ending, Limits, Outcome, Scale, Work, newton
 
 _HALVINGS = 10
 
@@ -33,14 +34,18 @@ class State:
 
 @dataclass(frozen=True, slots=True)
 class Failure:
-    """Where a step stopped: the part of it that was reached and the problem that gave up."""
+    """Where a step stopped: the part of it that was reached and the problem that gave up.
+
+    lateral, axial: unknowns of the last equilibria; which: the problem without one.
+    """
 
     step: int
     reached: float
     factors: Array
-    axial: bool
+    which: Literal["lateral", "axial"]
     ending: Ending
-    last: State
+    lateral: Array
+    axial: Array
 
 
 class NoEquilibrium(Exception):
@@ -61,7 +66,7 @@ class _Path:
     internal: Array
     increment: Array | None = None
     energy: float = 0.0
-    scale: Scale = Scale()
+    scale: Scale = NO_SCALE
 
     def advance(self, before: Array, after: Array) -> tuple[Outcome, float, float, Work]:
         """Go from factors `before` to `after`; outcome, part reached, smallest part, work."""
@@ -80,7 +85,7 @@ class _Path:
                 reached = target
                 if reached == 1.0:
                     return outcome, 1.0, smallest, work
-            elif part < 2.0**-_HALVINGS:
+            elif part <= 2.0**-_HALVINGS:
                 return outcome, reached, part, work
             else:
                 part *= 0.5
@@ -125,8 +130,9 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
             outcome, reached, smallest, work = path.advance(before, after)
             if outcome.ending is not Ending.CONVERGED:
                 at = before + reached * (after - before)
-                axial = path is paths[1]
-                raise NoEquilibrium(Failure(step, reached, at, axial, outcome.ending, state))
+                which: Literal["lateral", "axial"] = "lateral" if path is paths[0] else "axial"
+                found = (paths[0].q, paths[1].q)
+                raise NoEquilibrium(Failure(step, reached, at, which, outcome.ending, *found))
             iterations += work.iterations
             evaluations += work.evaluations
             residual, size = max(residual, outcome.residual), min(size, smallest)
