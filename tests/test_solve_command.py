@@ -4,7 +4,11 @@ import csv
 import io
 import json
 import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import netCDF4
 import numpy as np
@@ -15,6 +19,7 @@ from podeep.cli.podeep import main as podeep
 from podeep.cli.solve import main
 from podeep.database.read import open_database
 from podeep.errors import ExitCode
+from podeep.solve import analysis, statics
 
 ROOT = Path(__file__).parents[1]
 SAMPLES = ROOT / "sample_dbs"
@@ -263,3 +268,59 @@ def test_the_example_runs_from_the_package(
     monkeypatch.chdir(folder)
     assert podeep(["jacket_pile", "--answers", "jacket_pile.answers", "--no-plot"]) == 0
     assert "Lateral force" in capsys.readouterr().out
+
+
+def test_an_accuracy_that_is_not_reached_is_told(
+    deck: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    changed(deck, "*EXEC", "*MODEL ELEMENTS=5 ORDER=3\n*EXEC")
+    assert main(["run", str(deck), "-o", str(deck.parent), "-q"]) == 0
+    assert "the accuracy asked, 0.001, was not reached" in capsys.readouterr().err
+
+
+def test_an_interrupted_run_leaves_a_partial_that_opens(
+    deck: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    found = statics.steps
+
+    def impatient(*arguments: Any) -> Iterator[statics.State]:
+        for state in found(*arguments):
+            yield state
+            if state.step == 3:
+                raise KeyboardInterrupt
+
+    monkeypatch.setattr(analysis, "steps", impatient)
+    assert main(["run", str(deck), "-o", str(deck.parent)]) == ExitCode.INTERRUPTED
+    assert "3 of 6 steps are kept in" in capsys.readouterr().err
+    assert not deck.with_suffix(".dss").exists()
+    with open_database(deck.with_suffix(".dss.partial")) as database:
+        assert database.status == "interrupted"
+        assert len(database.foundation("F1").axis) == 4
+
+
+def test_a_full_disk_behind_standard_output_is_no_bug(deck: Path) -> None:
+    program = Path(sys.executable).with_name("podeep-solve")
+    with Path("/dev/full").open("w", encoding="utf-8") as full:
+        done = subprocess.run(
+            [program, "check", str(deck)], stdout=full, stderr=subprocess.PIPE, check=False
+        )
+    assert done.returncode == ExitCode.USAGE
+    assert b"No space left" in done.stderr
+    assert b"bug" not in done.stderr
+
+
+def test_a_deck_without_loads_stays_at_rest(deck: Path) -> None:
+    text = deck.read_text(encoding="utf-8")
+    start, end = text.index("C Head load"), text.index("*EXEC")
+    deck.write_text(text[:start] + text[end:], encoding="utf-8")
+    assert main(["run", str(deck), "-o", str(deck.parent), "-q"]) == 0
+    with open_database(deck.with_suffix(".dss")) as database:
+        assert not database.foundation("F1").read("lateral_displacement").any()
+
+
+def test_a_null_character_is_a_fault_of_the_deck(
+    deck: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    changed(deck, "Jacket pile", "Jacket\0pile")
+    assert main(["check", str(deck)]) == ExitCode.USAGE
+    assert "null character" in capsys.readouterr().err

@@ -16,7 +16,7 @@ from ..scene import Section, Tube
 from ..soil.profile import Profile
 from ..soil.reaction import Reaction
 
-TOUCH = 1e-3  # boundaries closer than this are one, m: shorter elements are mere rounding
+TOUCH = 2e-3  # boundaries closer than this are one, m: shorter elements are mere rounding
 _PROBE = 0.01  # displacement at which the soil's modulus is taken, in diameters
 _SAMPLES = 16  # soil moduli taken in each stretch
 _COARSEN = 0.1  # growth of the element per characteristic length below the mudline

@@ -63,11 +63,13 @@ class System:
         shape = field.interpolation(x)
         self._build_tangent(shape, springs)
         weighted = sparse.csr_array((shape * weight[:, None]).T)
-        self._shape, self._weighted = _compact(shape), _compact(weighted)
         modes, stiffness = field.strain_modes
-        self._strain = _compact(modes)
-        self._stress = _compact(sparse.csr_array((modes * stiffness[:, None]).T))
-        self._springs = np.zeros(self.size)
+        stress = sparse.csr_array((modes * stiffness[:, None]).T)
+        # displacements at the points and strains at once; then the forces of both at once
+        self._observe = _compact(sparse.csr_array(sparse.vstack([shape, modes])))
+        self._balance = _compact(sparse.csr_array(sparse.hstack([weighted, stress])))
+        self._count = len(x)
+        self._sprung, self._springs = bool(springs), np.zeros(self.size)
         np.add.at(self._springs, [s.dof for s in springs], [s.stiffness for s in springs])
 
     def _build_tangent(self, shape: sparse.csr_array, springs: Sequence[Spring]) -> None:
@@ -93,7 +95,7 @@ class System:
         held_place = np.asarray(self.held) * self.width
         linear[held_place] = 1.0
         self._linear = linear
-        self._spread = self._spreading(shape, keep, storage)
+        self._spread = _compact(self._spreading(shape, keep, storage))
 
     def _kept(self, free: npt.NDArray[np.bool_]) -> Array:
         """1 where row and column of a stored entry are both free, 0 elsewhere."""
@@ -133,7 +135,7 @@ class System:
 
     def displacement(self, q: Array) -> Array:
         """The field at the Gauss points, shape (points, components)."""
-        return np.asarray(self._shape @ q.reshape(-1, self.components))
+        return np.asarray((self._observe @ q.reshape(-1, self.components))[: self._count])
 
     def react(self, u: Array) -> tuple[Array, Array]:
         """Reaction and modulus at signed displacements or distances u, shape (..., points)."""
@@ -146,22 +148,23 @@ class System:
 
     def internal(self, q: Array) -> Array:
         """Internal forces at q; what the tangent needs there is kept for `solve`."""
-        u = self.displacement(q)
+        count = self._count
         if self.components == 1:
-            distance = u[:, 0]
+            seen = self._observe @ q
+            u = distance = seen[:count].copy()
             force, modulus = self.react(distance)
-            inner = self._stress @ (self._strain @ q)
-            inner += self._weighted @ force
+            seen[:count] = force
         else:
+            seen = self._observe @ q.reshape(-1, 2)
+            u = seen[:count].copy()
             distance = np.hypot(u[:, 0], u[:, 1])
             force, modulus = self.react(distance)
-            rows = q.reshape(-1, self.components)
-            inner = self._stress @ (self._strain @ rows)
-            inner += self._weighted @ (secant(force, distance, modulus)[:, None] * u)
-            inner = inner.ravel()
+            seen[:count] *= secant(force, distance, modulus)[:, None]
         self._state = (u, distance, force, modulus)
-        inner += self._springs * q
-        return np.asarray(inner)
+        inner: Array = (self._balance @ seen).ravel()
+        if self._sprung:
+            inner += self._springs * q
+        return inner
 
     def solve(self, right: Array) -> Array | None:
         """Solve with the tangent at the last `internal`; None for a mechanism.

@@ -20,6 +20,7 @@ from .newton import Limits, newton
 from .statics import State
 
 _RESIDUAL = 1e-4  # of the accuracy: how near the richer elements come to equilibrium
+_SHORTEST = 5e-5  # element over tube: shorter ones on a stiff tube are mere rounding
 _REST = 1e-6  # share of the run's largest value below which a step is at rest
 _REFINE = 0.2  # elements with at least this share of the largest unresolved force are halved
 
@@ -152,11 +153,15 @@ def unestimated(model: Model, steps: int) -> Estimate:
     return Estimate(whole, whole, whole, np.zeros((steps, model.elements)))
 
 
-def refine(
-    boundaries: Array, field: Field, estimates: Sequence[Estimate], accuracy: float
-) -> Array:
-    """Halve the elements that resolve least in the steps that are not accurate enough."""
+def refine(model: Model, estimates: Sequence[Estimate], accuracy: float) -> Array:
+    """Boundaries with those elements halved that resolve least in steps not accurate enough.
+
+    An element that is too short for the arithmetic stays as it is.
+    """
+    field = model.lateral.system.field
     poor = np.concatenate([e.unresolved[e.worst > accuracy] for e in estimates])
-    split = (poor >= _REFINE * poor.max(axis=1, keepdims=True)).any(axis=0)
-    middle = 0.5 * (boundaries[:-1] + boundaries[1:])[embedded(field)][split]
-    return np.sort(np.concatenate([boundaries, middle]))
+    split = np.zeros(len(field.lengths), dtype=bool)
+    split[embedded(field)] = (poor >= _REFINE * poor.max(axis=1, keepdims=True)).any(axis=0)
+    split &= field.lengths > 2.0 * _SHORTEST * (field.edges[-1] - field.edges[0])
+    middle = 0.5 * (field.edges[:-1] + field.edges[1:])[split]
+    return np.sort(np.concatenate([field.edges, middle]))

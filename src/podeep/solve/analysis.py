@@ -19,7 +19,8 @@ from .statics import Failure, NoEquilibrium, State, steps
 DEGREE = 5  # of the deflection in an element, unless the scene says otherwise
 _SIZE = {3: 0.2, 5: 0.4, 7: 0.8}  # first element length, in characteristic lengths
 _PROBE = 0.01  # displacement at which the soil must resist, in diameters
-_ROUNDS = 14  # of refinement
+_PATIENCE = 5  # rounds without a better mesh
+_ROUNDS = 15  # of refinement
 _MOST_ELEMENTS = 2000  # of a tube after refinement
 
 
@@ -75,25 +76,36 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
     model = first_model(scene, foundation)
     factors = np.array(scene.steps.factors).reshape(len(scene.steps.factors), -1)
     best: Solved | None = None
-    for round_ in range(_ROUNDS + 1):
+    stale = 0
+    for _ in range(_ROUNDS):
         states, failure, interrupted = run(model, factors, limits(scene))
         richer = rebuilt(scene, model, model.edges, 1)
         try:
             found = estimate(model, richer, states, scene.numerics.accuracy)
         except KeyboardInterrupt:
             found, interrupted = (unestimated(model, len(states)),) * 2, True
-        if best is not None and len(states) < len(best.states):
-            # finer elements than the arithmetic carries, or the user's patience: the coarser stand
-            return replace(best, interrupted=interrupted)
-        best = Solved(model, tuple(states), found, failure, scene.numerics.accuracy, interrupted)
-        last = round_ == _ROUNDS or 2 * model.elements > _MOST_ELEMENTS
-        if best.accurate or last or interrupted or scene.numerics.elements is not None:
+        accuracy = scene.numerics.accuracy
+        one = Solved(model, tuple(states), found, failure, accuracy, interrupted)
+        if best is None or better(one, best):
+            best, stale = one, 0
+        else:
+            best, stale = replace(best, interrupted=interrupted), stale + 1
+        enough = best.accurate or interrupted or scene.numerics.elements is not None
+        if enough or stale == _PATIENCE or 2 * model.elements > _MOST_ELEMENTS:
             break
-        field = model.lateral.system.field
-        finer = refine(model.edges, field, found, scene.numerics.accuracy)
+        finer = refine(model, found, accuracy)
+        if len(finer) == len(model.edges):
+            break
         model = rebuilt(scene, model, finer, 0)
     assert best is not None
     return best
+
+
+def better(one: Solved, other: Solved) -> bool:
+    """More steps, or as many with smaller errors; too fine a mesh has neither."""
+    if len(one.states) != len(other.states):
+        return len(one.states) > len(other.states)
+    return one.error < other.error
 
 
 def first_model(scene: Scene, foundation: Foundation) -> Model:

@@ -14,6 +14,7 @@ _CUT = 0.5  # a step is accepted when the slope of the energy fell to this share
 _SEARCHES = 40
 _REST = 1e-6  # share of the run's largest force and unknown below which a state is at rest
 _STILL = 0.1  # of the limit of the residual: share of the unknowns that a step of rounding moves
+_ROUNDING_CAP = 1e-3  # rounding may excuse a residual up to this share of the forces, never more
 _EPS = float(np.finfo(float).eps)
 
 
@@ -89,13 +90,13 @@ def newton(
             residual[system.held] = 0.0
         return internal, residual
 
-    least = max(_largest(load), _REST * scale.force)
+    least = max(largest(load), _REST * scale.force)
     q, increment = start, 0.0
     internal, residual = evaluate(q)
     ending = Ending.EXHAUSTED
     for remaining in range(limits.iterations, -1, -1):
-        size = max(_largest(internal), least)
-        worst = _largest(residual)
+        size = max(largest(internal), least)
+        worst = largest(residual)
         if worst <= limits.residual * size and increment <= limits.increment:
             ending = Ending.CONVERGED
             break
@@ -106,17 +107,18 @@ def newton(
         if step is None or not np.isfinite(slope := float(step @ residual)):
             ending = Ending.MECHANISM
             break
-        reach = max(_largest(q), _REST * scale.unknown)
-        if _largest(step) <= _STILL * limits.residual * reach and worst <= rounding(system, q):
+        reach = max(largest(q), _REST * scale.unknown)
+        still = largest(step) <= _STILL * limits.residual * reach
+        if still and worst <= min(rounding(system, q), _ROUNDING_CAP * size):
             ending = Ending.CONVERGED
             break
         before = q
         q, internal, residual = search(evaluate, q, step, slope)
-        increment = _largest(q - before) / reach if reach else 0.0
+        increment = largest(q - before) / reach if reach else 0.0
     return Outcome(q, internal, ending, worst / size if size else 0.0, work)
 
 
-def _largest(x: Array) -> float:
+def largest(x: Array) -> float:
     """Largest magnitude; BLAS needs one call where NumPy needs two."""
     return abs(float(x[blas.idamax(x)]))
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..model.assemble import Model, Problem
-from .newton import NO_SCALE, Ending, Limits, Outcome, Scale, Work, newton
+from .newton import NO_SCALE, Ending, Limits, Outcome, Scale, Work, largest, newton
 
 _HALVINGS = 10
 
@@ -102,8 +102,8 @@ class _Path:
         self.energy += 0.5 * float((outcome.internal + self.internal) @ move)
         self.q, self.internal, self.increment = outcome.q, outcome.internal, move
         self.scale = Scale(
-            max(self.scale.force, float(np.abs(outcome.internal).max())),
-            max(self.scale.unknown, float(np.abs(outcome.q).max())),
+            max(self.scale.force, largest(outcome.internal)),
+            max(self.scale.unknown, largest(outcome.q)),
         )
 
 
