@@ -165,8 +165,12 @@ def test_running_database_shows_committed_rows_only(tmp_path):
         tmp_path / "run.dst", kind="dynamic", title="", deck_text="", grids=grids, loads=(), block=4
     )
     with out:
-        with pytest.raises(UserError, match="holds no time yet"):
-            open_database(out.path)
+        with open_database(out.path) as database:
+            data = database.foundation("F1")
+            assert data.axis.shape == (0,)
+            assert data.read("lateral_force").shape == (0, len(builders.DEPTH))
+            with pytest.raises(UserError, match="holds no rows yet"):
+                data.envelope("lateral_force")
         out.append(*rows(0, 5))
         out.append(*rows(5, 7))
         with open_database(out.path) as database:

@@ -20,6 +20,8 @@ from .soil.profile import Profile
 from .solve.analysis import Solved, solve
 from .solve.diagnosis import explain
 
+_BLOCK = 256  # steps that are committed to the database at once
+
 
 @dataclass(frozen=True)
 class Run:
@@ -119,10 +121,12 @@ def write(
         loads=scene.steps.names,
         history=f"podeep-solve run {target.stem}",
         force=force,
-        block=len(steps),
+        block=min(len(steps), _BLOCK),
     ) as writer:
-        values = {name: v[: len(steps)] for s in sheets for name, v in s.values.items()}
-        writer.append(steps, values)
+        for first in range(0, len(steps), _BLOCK):
+            rows = slice(first, min(first + _BLOCK, len(steps)))
+            values = {name: v[rows] for s in sheets for name, v in s.values.items()}
+            writer.append(steps[rows], values)
         if interrupted:
             last = f"{len(steps) - 1} of {len(scene.steps.factors)} steps"
             raise Interrupted(f"interrupted; {last} are kept in {writer.path}")

@@ -75,12 +75,6 @@ class Section:
         return self.youngs_modulus * self.area if override is None else override
 
     @property
-    def torsional_stiffness(self) -> float:
-        """GJ of the circular tube, N m2."""
-        shear_modulus = self.youngs_modulus / (2.0 * (1.0 + self.poisson_ratio))
-        return shear_modulus * 2.0 * self.second_moment
-
-    @property
     def mass(self) -> float:
         """Mass of the tube alone, kg/m."""
         return self.density * self.area if self.mass_override is None else self.mass_override

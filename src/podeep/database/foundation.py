@@ -94,6 +94,8 @@ class FoundationData:
         return found["min"], found["max"], found["min_at"], found["max_at"]
 
     def _computed_envelope(self, quantity: str) -> dict[str, Array]:
+        if not len(self.axis):
+            raise wrong(self.path, f"{self.name} holds no rows yet", "wait for the run")
         # The stored one of an unfinished database may be ahead of the rows committed.
         found: dict[str, Values] = {}
         for first in range(0, len(self.axis), _BLOCK):

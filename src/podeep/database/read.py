@@ -181,8 +181,8 @@ def _foundation(
     rows = sizes[axis] if committed is None else committed
     if not 0 <= rows <= sizes[axis]:
         raise wrong(path, f"{name} has room for {sizes[axis]} rows, not for {rows}")
-    if rows == 0:
-        raise wrong(path, f"it holds no {axis} yet", "open it when the run has written some")
+    if committed is None and not rows:
+        raise wrong(path, f"{name} holds no {axis}")
     tubes = _tubes(path, group)
     datasets = {}
     for place, variable, igr in places(table, tubes):
@@ -228,7 +228,8 @@ def _length(path: Path, group: Any, name: str) -> int:
 def _coordinate(path: Path, data: Any, count: int | None = None, *, rising: bool) -> Array:
     values = np.asarray(data[:count], dtype=np.float64)
     steps = np.diff(values) if rising else -np.diff(values)
-    if not values.size or not np.all(np.isfinite(values)) or not np.all(steps > 0.0):
+    empty = not values.size and count != 0  # a run may not have committed a row yet
+    if empty or not np.all(np.isfinite(values)) or not np.all(steps > 0.0):
         what = "rising" if rising else "falling"
         raise wrong(path, f"{data.name.strip('/')} does not hold finite, {what} values")
     return values

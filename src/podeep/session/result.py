@@ -62,7 +62,10 @@ def _extent(database: "Database", name: str) -> Extent:
     data = database.foundation(name)
     if not len(data.axis):
         raise UserError(
-            Fault(f"{database.path} holds no results of {name}", "run the analysis again")
+            Fault(
+                f"{database.path} holds no results of {name} yet",
+                "open it when the run has written some, or run the analysis again",
+            )
         )
     return Extent((float(data.depth[0]), float(data.depth[-1])), data.axis)
 
