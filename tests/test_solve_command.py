@@ -324,3 +324,14 @@ def test_a_null_character_is_a_fault_of_the_deck(
     changed(deck, "Jacket pile", "Jacket\0pile")
     assert main(["check", str(deck)]) == ExitCode.USAGE
     assert "null character" in capsys.readouterr().err
+
+
+def test_an_imposed_rotation_is_in_degrees(deck: Path) -> None:
+    """A head turned by half a degree against its springs has the slope of half a degree."""
+    changed(deck, "STORM     1    -58.0  2.2e6  0   0       0   -4.5e6  0", "STORM 1 -58 1e5 0 0")
+    changed(deck, "*QUASISTATIC", "*DISPLACE\nTURN 1 -58.0 RY 0.5\n*QUASISTATIC")
+    changed(deck, "6 STORM 1.0", "6 STORM 1.0 TURN 1.0")
+    assert main(["run", str(deck), "-o", str(deck.parent), "-q"]) == 0
+    with open_database(deck.with_suffix(".dss")) as database:
+        head = database.foundation("F1").read_tube(1, "rotation_y", -1)[0, 0]
+    assert head == pytest.approx(np.radians(0.5), rel=1e-12)

@@ -9,6 +9,7 @@ from podeep.model.grid import output_depths
 from podeep.model.needs import needs
 from podeep.model.results import Results
 from podeep.scene import (
+    Curve,
     Displacement,
     Foundation,
     Load,
@@ -168,3 +169,21 @@ def test_foundations_are_solved_apart() -> None:
     )
     alone = solved(scene).states[-1].lateral
     assert np.array_equal(solved(both).states[-1].lateral, alone)
+
+
+def test_a_gap_around_the_tube_closes() -> None:
+    """A user curve without resistance up to 20 mm: the pile goes there before the soil acts."""
+    curve = Curve(1, "user", {}, {}, ((0.0, 0.02), (1e5, 0.03)))
+    scene = reference_pile((5e5, 0.0, -5e6), steps=4)
+    ground = replace(scene.ground, lateral=(1, 1, 1, 1), lateral_curves={1: curve})
+    x = np.linspace(0.0, 40.0, 401)
+    spring = Spring(1, 10.0, "Y", 1e-3)  # makes the scene spatial and changes nothing
+    aside = Load("HEAD", 1, 10.0, (0.0, 1e-3, 0.0), (0.0, 0.0, 0.0))
+    spatial = replace(scene, ground=ground, springs=(spring,), loads=(*scene.loads, aside))
+    for one in (replace(scene, ground=ground), spatial):
+        found = solved(one)
+        assert found.failure is None
+        y = found.results.deflection(x)[-1, 0]
+        assert y.max() > 0.02
+        assert y.min() < -0.02
+    assert found.model.needs.components == 2

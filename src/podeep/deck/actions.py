@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from math import radians
 
 from ..errors import Place
 from ..scene import Displacement, Load, Spring, Steps, Support
@@ -98,7 +99,8 @@ def _take(
             mx, my, mz = (cells[c] for c in _MOMENTS)
             actions.loads.append(Load(name, tube, elevation, (fx, fy, fz), (mx, my, mz)))
         case _:
-            dof, value = cells["DOF"], cells["VALUE"]
+            dof = cells["DOF"]
+            value = radians(cells["VALUE"]) if dof.startswith("R") else cells["VALUE"]
             actions.displacements.append(Displacement(name, tube, elevation, dof, value))
             actions.moved.setdefault((tube, elevation, dof), values.places["DOF"])
 

@@ -110,7 +110,8 @@ CASING = Keyword(
         ),
     ),
     "*CASING\n1 PILE\n-58 -75  2.134 0.070 210e9 7850\n-75 -110 2.134 0.045 210e9 7850 EI=50e9",
-    "A tube may stand above the mudline.",
+    "A tube may stand above the mudline. RHO, NU, GAS, MASS, CA, FILL are kept for weight, shear "
+    "and dynamics; the statics of this version use none of them.",
     required=True,
 )
 
@@ -189,12 +190,13 @@ DISPLACE = Keyword(
                 _IGR,
                 _Z,
                 _DOF,
-                Column("VALUE", "displacement or rotation", "m or rad", key="value"),
+                Column("VALUE", "displacement or rotation", "m or degrees", key="value"),
             ),
         ),
     ),
     "*DISPLACE\nPUSH 1 -58 Y 0.1",
-    "Loads and displacements of one name share its factor.",
+    "Loads and displacements of one name share its factor. Rows that move the same degree of "
+    "freedom add up.",
 )
 
 QUASISTATIC = Keyword(

@@ -21,6 +21,7 @@ from ..beam.band import band_place, bandwidth, pairs, scatter, scatter_matrix
 from ..beam.field import Field
 from ..soil.reaction import Reaction
 
+_FAR = 0.1  # displacement at which any soil is taken to have its capacity, m: for directions alone
 _DENSE = 40_000  # entries below which a dense product beats a sparse one (call overhead)
 
 
@@ -69,6 +70,8 @@ class System:
         self._observe = _compact(sparse.csr_array(sparse.vstack([shape, modes])))
         self._balance = _compact(sparse.csr_array(sparse.hstack([weighted, stress])))
         self._count = len(x)
+        capacity = [p.reaction.capacity for p in points] or [np.zeros(0)]
+        self._capacity_moduli = np.nan_to_num(np.concatenate(capacity), posinf=0.0) / _FAR
         self._sprung, self._springs = bool(springs), np.zeros(self.size)
         np.add.at(self._springs, [s.dof for s in springs], [s.stiffness for s in springs])
 
@@ -170,27 +173,35 @@ class System:
         """Solve with the tangent at the last `internal`; None for a mechanism.
 
         Where the tangent is not positive definite (a softening law), its negative moduli are
-        first taken as zero, then all moduli as secants: the energy still falls along the answer,
-        and the residual that decides on equilibrium stays the exact one.
+        first taken as zero, then all moduli as secants, at last as shares of the capacity (a gap
+        that has to close): the energy still falls along the answer, and the residual that decides
+        on equilibrium stays the exact one.
         """
         _, distance, force, modulus = self._state
         x = self._solve(modulus, right)
         if x is None:
             x = self._solve(np.maximum(modulus, 0.0), right)
         if x is None:
-            x = self._solve(secant(force, distance, modulus), right)
+            secants = secant(force, distance, modulus)
+            x = self._solve(secants, right, across=secants)
+        if x is None:
+            x = self._solve(self._capacity_moduli, right, across=self._capacity_moduli)
         return x
 
-    def restrained(self, probe: float) -> bool:
-        """Whether soil and holds carry any small load, the soil's modulus taken at `probe`, m."""
-        u = np.full(len(self.weight), probe)
-        force, _ = self.react(u)
-        self._state = (np.stack([u] * self.components, axis=1), u, force, force / probe)
-        return self._solve(force / probe, np.zeros(self.size)) is not None
+    def restrained(self) -> bool:
+        """Whether soil and holds carry any small load, wherever the soil has some capacity."""
+        moduli = self._capacity_moduli
+        self._state = (
+            np.zeros((self._count, self.components)),
+            *np.zeros((2, self._count)),
+            moduli,
+        )
+        return self._solve(moduli, np.zeros(self.size), across=moduli) is not None
 
-    def _solve(self, modulus: Array, right: Array) -> Array | None:
+    def _solve(self, modulus: Array, right: Array, across: Array | None = None) -> Array | None:
+        """Solve with moduli along the displacement, and across it (None: the exact secants)."""
         if self.components == 2:
-            modulus = self._vector_moduli(modulus)
+            modulus = self._vector_moduli(modulus, across)
         band = self._spread @ modulus
         band += self._linear
         _, x, info = lapack.dpbsv(
@@ -198,10 +209,11 @@ class System:
         )
         return x if info == 0 else None
 
-    def _vector_moduli(self, along: Array) -> Array:
+    def _vector_moduli(self, along: Array, across: Array | None) -> Array:
         """xx, yy and xy moduli, one after the other, of a reaction along the displacement."""
         u, distance, force, modulus = self._state
-        across = secant(force, distance, modulus)
+        if across is None:
+            across = secant(force, distance, modulus)
         direction = np.divide(u, distance[:, None], out=np.zeros_like(u), where=u != 0.0)
         more = (along - across)[:, None] * direction
         count = len(distance)
