@@ -113,3 +113,14 @@ def test_equal_growth_is_seen() -> None:
     factors = np.array([[0.5, 0.0], [1.0, 0.0], [1.0, 0.5], [1.0, 1.0], [0.8, 1.0]])
     assert same_increment(factors) == [False, True, False, True, False]
     assert same_increment(np.array([[1.0]])) == [False]
+
+
+def test_a_limit_of_the_increment_asks_for_more_iterations() -> None:
+    """A loose residual is met early; the increment goes on until the unknowns stand still."""
+    problem = model(reference_pile(), PLANAR).lateral
+    load, rest = problem.load(np.array([1.0])), np.zeros(problem.system.size)
+    loose = newton(problem.system, rest, load, Limits(1e-1))
+    still = newton(problem.system, rest, load, Limits(1e-1, increment=1e-6))
+    assert loose.ending is still.ending is Ending.CONVERGED
+    assert still.work.iterations > loose.work.iterations
+    assert still.residual < 1e-6

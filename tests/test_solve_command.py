@@ -335,3 +335,28 @@ def test_an_imposed_rotation_is_in_degrees(deck: Path) -> None:
     with open_database(deck.with_suffix(".dss")) as database:
         head = database.foundation("F1").read_tube(1, "rotation_y", -1)[0, 0]
     assert head == pytest.approx(np.radians(0.5), rel=1e-12)
+
+
+def test_a_load_along_y_bends_about_x_by_the_right_hand(deck: Path) -> None:
+    """FY at the head: it moves to +y, turns about -x, and the moment about x is -FY times arm."""
+    changed(deck, "2.2e6  0   0       0   -4.5e6  0", "0  1e6   0       0   0  0")
+    assert main(["run", str(deck), "-o", str(deck.parent), "-q"]) == 0
+    with open_database(deck.with_suffix(".dss")) as database:
+        data = database.foundation("F1")
+        assert data.lateral_axis == 90.0
+        elevation = data.elevations[1]
+        free = elevation >= -60.0
+
+        def last(name: str) -> np.ndarray:
+            return data.read_tube(1, name, -1)[0]
+
+        assert last("displacement_y")[0] > 0.0
+        assert last("rotation_x")[0] < 0.0
+        np.testing.assert_allclose(last("shear_y")[free], 1e6, rtol=1e-9)
+        moment = -1e6 * (-58.0 - elevation[free])
+        np.testing.assert_allclose(last("moment_x")[free], moment, rtol=1e-9, atol=1e-3)
+        np.testing.assert_allclose(last("normal_force")[0], 12e6, rtol=1e-9)
+        for name in ("displacement_x", "rotation_y", "shear_x", "moment_y"):
+            assert np.abs(last(name)).max() < 1e-9 * np.abs(last("moment_x")).max()
+        slope = np.gradient(last("displacement_y"), elevation)[1:20]
+        np.testing.assert_allclose(last("rotation_x")[1:20], -slope, rtol=1e-2)
