@@ -6,7 +6,8 @@ import pytest
 from podeep.errors import InvalidData
 from podeep.soil import axial
 from podeep.soil.backbone import SignedUserCurve, UserCurve, sorted_points, user_law
-from podeep.soil.lateral import Sand, SoftClay, default_subgrade_modulus
+from podeep.soil.sand import Sand, default_subgrade_modulus
+from podeep.soil.soft_clay import SoftClay
 
 
 def clay(**given):

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from podeep.soil import axial, lateral
+from podeep.soil import axial, lateral, sand, soft_clay
 from podeep.soil.backbone import SignedUserCurve, UserCurve
 
 POINTS = 3
@@ -41,9 +41,9 @@ SIGNED = ((-2e4, -0.1), (-3e4, -0.02), (1e4, 0.005), (3e4, 0.01))
 
 SHAPES = ("EP", "API", "2GEO")
 CASES = [
-    *((lateral.SoftClay, {"shape": s, "cyclic": False}) for s in ("2GEO", "WSD", "POWER")),
-    *((lateral.SoftClay, {"shape": s, "cyclic": True}) for s in ("2GEO", "WSD", "POWER")),
-    *((lateral.Sand, {"cyclic": c}) for c in (False, True)),
+    *((soft_clay.SoftClay, {"shape": s, "cyclic": False}) for s in ("2GEO", "WSD", "POWER")),
+    *((soft_clay.SoftClay, {"shape": s, "cyclic": True}) for s in ("2GEO", "WSD", "POWER")),
+    *((sand.Sand, {"cyclic": c}) for c in (False, True)),
     *((shaft, {"shape": s}) for shaft, _ in axial.LAWS.values() for s in SHAPES),
     *((tip, {"shape": s}) for _, tip in axial.LAWS.values() for s in SHAPES),
     (axial.CohesiveShaft, {"shape": "2GEO", "residual": 0.7}),

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from podeep.scene import Curve, Ground
-from podeep.soil.lateral import Sand, SoftClay
 from podeep.soil.profile import Profile
+from podeep.soil.sand import Sand
+from podeep.soil.soft_clay import SoftClay
 
 U = np.array([1e-4, -2e-3, 0.03, 0.2, -1.0])
 CLAY = {"undrained_shear_strength": 20e3, "effective_unit_weight": 8e3, "j": 0.5, "strain_50": 0.01}

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from podeep.soil import axial
-from podeep.soil.lateral import Sand, SoftClay, default_subgrade_modulus, sand_coefficients
+from podeep.soil.sand import Sand, default_subgrade_modulus, sand_coefficients
+from podeep.soil.soft_clay import SoftClay
 
 DATA = Path(__file__).parent / "data" / "soil"
 KILO = 1e3

@@ -103,6 +103,8 @@ class Shaft(TableLaw):
     Source: API RP 2GEO 8.4.2 and ISO 19901-4 (2GEO); API RP 2A-WSD 6.7.2 (2.54 mm).
     """
 
+    source: ClassVar[str] = "API RP 2GEO 8.4.2, ISO 19901-4; API RP 2A-WSD 6.7.2"
+
     diameter: Values
     initial_stiffness: Values
     shape: str = "EP"
@@ -122,6 +124,10 @@ class Shaft(TableLaw):
     @property
     def _softens(self) -> bool:
         return self.shape == "2GEO" or (self.shape == "API" and self.api_is_2geo)
+
+    @property
+    def derived(self) -> Mapping[str, Array]:
+        return {"peak_friction": np.atleast_1d(self.peak_friction)}
 
     @property
     @abstractmethod
@@ -215,6 +221,7 @@ class Tip(TableLaw):
     """
 
     odd: ClassVar[bool] = False
+    source: ClassVar[str] = "API RP 2GEO 8.4.3, API RP 2A-WSD 6.7.3"
 
     diameter: Values
     initial_stiffness: Values
@@ -222,6 +229,10 @@ class Tip(TableLaw):
 
     def __post_init__(self) -> None:
         _check_shape(self.shape, self.initial_stiffness)
+
+    @property
+    def derived(self) -> Mapping[str, Array]:
+        return {"peak_bearing": np.atleast_1d(self.peak_bearing)}
 
     @property
     @abstractmethod

@@ -118,6 +118,8 @@ class UserCurve(TableLaw):
     Source: the user; the layout is that of DeepLines' *PYCURVE and *TZCURVE.
     """
 
+    source: ClassVar[str] = "the user's own rows"
+
     points: tuple[tuple[float, float], ...]
     force_scale: Values
     displacement_scale: Values = 1.0

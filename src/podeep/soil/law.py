@@ -1,6 +1,8 @@
 """What a soil reaction law is."""
 
 from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import ClassVar
 
 from ..arrays import Array
@@ -17,6 +19,8 @@ class Law(ABC):
 
     #: force(-u) == -force(u)
     odd: ClassVar[bool] = True
+    #: the standard with its clause, or the paper
+    source: ClassVar[str]
 
     @abstractmethod
     def evaluate(self, u: Array) -> tuple[Array, Array]:
@@ -26,6 +30,11 @@ class Law(ABC):
     @abstractmethod
     def capacity(self) -> Array:
         """Bound of |force| at each point, shape (n,); inf where a law has none."""
+
+    @property
+    def derived(self) -> Mapping[str, Array]:
+        """What the law makes of its parameters on the way to the reaction, by name, (n,) each."""
+        return MappingProxyType({})
 
     def force(self, u: Array) -> Array:
         """Reaction at `u`."""
