@@ -13,7 +13,8 @@ __init__ arrays errors files units scene
 deck.__init__ deck.faults deck.scan deck.column deck.soil_keywords deck.model_keywords
 deck.keywords deck.cells deck.registry deck.curves deck.ground deck.structure deck.actions
 deck.paragraphs deck.read
-soil.__init__ soil.law soil.backbone soil.soft_clay soil.sand soil.lateral soil.axial soil.reaction soil.profile soil.curves
+soil.__init__ soil.law soil.backbone soil.soft_clay soil.sand soil.lateral soil.axial
+soil.layers soil.surroundings soil.reaction soil.profile soil.curves
 beam.__init__ beam.shapes beam.field beam.band
 model.__init__ model.needs model.mesh model.system model.assemble model.recover
 model.results model.grid

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, fields
 from math import pi
 from types import MappingProxyType
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
@@ -14,39 +14,45 @@ from ..scene import Curve, Ground
 from . import axial, lateral
 from .backbone import user_law
 from .law import Law
+from .layers import Layers
 from .reaction import Reaction, Term
+from .surroundings import WEIGHT, Family, Surroundings
 
-Family = Literal["p-y", "t-z"]
-
-_WEIGHT = "effective_unit_weight"
 #: options of a curve that no law takes: they are for the capacity
 _OTHER_OPTIONS = frozenset({"plug"})
 
 
 @dataclass(frozen=True, slots=True)
 class _Kind:
-    """A kind of reaction: its curves, its laws, and what user rows mean for it."""
+    """A kind of reaction: its curves, the laws that have it, and what user rows mean for it."""
 
     family: Family
     laws: Mapping[str, type[Law]]
-    columns: slice  # of a user's row: reaction and displacement
-    width: Callable[[Array], Array]  # what a pressure acts on, from the diameter
+    columns: slice | None = None  # of a user's row: reaction and displacement; None: none
+    width: Callable[[Array], Array] = np.asarray  # what a pressure acts on, from the diameter
     compression_only: bool = False
 
 
-_LATERAL = _Kind("p-y", lateral.LAWS, slice(0, 2), lambda diameter: diameter)
-_SHAFT = _Kind(
-    "t-z",
-    {name: laws.shaft for name, laws in axial.LAWS.items()},
-    slice(0, 2),
-    lambda diameter: pi * diameter,
-)
+def _side(laws: Mapping[str, Any], side: str) -> dict[str, type[Law]]:
+    """The laws of one side, by name, of those that have it."""
+    return {n: getattr(of, side) for n, of in laws.items() if getattr(of, side) is not None}
+
+
+_ROWS, _TIP_ROWS = slice(0, 2), slice(2, 4)
+_LATERAL = _Kind("p-y", _side(lateral.LAWS, "resistance"), _ROWS)
+_MOMENT = _Kind("p-y", _side(lateral.LAWS, "moment"))
+_BASE_SHEAR = _Kind("p-y", _side(lateral.LAWS, "base_shear"))
+_BASE_MOMENT = _Kind("p-y", _side(lateral.LAWS, "base_moment"))
+_SHAFT = _Kind("t-z", _side(axial.LAWS, "shaft"), _ROWS, lambda diameter: pi * diameter)
 _TIP = _Kind(
     "t-z",
-    {name: laws.tip for name, laws in axial.LAWS.items()},
-    slice(2, 4),
+    _side(axial.LAWS, "tip"),
+    _TIP_ROWS,
     lambda diameter: 0.25 * pi * diameter**2,
     compression_only=True,
+)
+_ALL: Mapping[Family, Mapping[str, Any]] = MappingProxyType(
+    {"p-y": lateral.LAWS, "t-z": axial.LAWS}
 )
 
 
@@ -72,32 +78,34 @@ class Profile:
     Raises UserError where a curve cannot be evaluated, naming the curve and the remedy.
     """
 
-    def __init__(self, ground: Ground) -> None:
+    def __init__(self, ground: Ground, embedded_length: float | None = None) -> None:
         self.ground = ground
-        self._top = np.unique(np.array(ground.depths))
-        self._thickness = np.append(np.diff(self._top), np.inf)
-        self.boundaries: tuple[float, ...] = tuple(self._top[1:].tolist())
-        # of a depth given twice, the second entry heads the layer below, the first ends the upper
-        first = np.searchsorted(ground.depths, self._top, side="left")
-        last = np.searchsorted(ground.depths, self._top, side="right") - 1
-        self._ends: list[tuple[int, int]] = list(
-            zip(last.tolist(), [*first[1:].tolist(), int(last[-1])], strict=True)
-        )
+        self._layers = Layers(ground.depths)
+        self.boundaries = self._layers.boundaries
         self._curves: Mapping[Family, tuple[Curve | None, ...]] = MappingProxyType(
             {
                 "p-y": tuple(ground.lateral_curves[i] if i else None for i in ground.lateral),
                 "t-z": tuple(ground.axial_curves[i] if i else None for i in ground.axial),
             }
         )
-        self._weights = {family: self._unit_weights(family) for family in self._curves}
+        self._around = Surroundings(ground, self._layers, self._curves, embedded_length)
 
     def layer(self, depth: Array) -> Index:
         """Index of the layer of each depth, from 0; a boundary belongs to the layer above it."""
-        return np.asarray(np.searchsorted(self._top[1:], depth, side="left"), dtype=np.intp)
+        return self._layers.index(depth)
 
     def lateral(self, depth: Array, diameter: Array) -> Reaction:
         """p-y of points along a tube, depth and diameter (n,); N/m."""
         return self._reaction(_LATERAL, depth, diameter)
+
+    def moment(self, depth: Array, diameter: Array) -> Reaction:
+        """Moment against rotation of points along a tube, depth and diameter (n,); N m/m."""
+        return self._reaction(_MOMENT, depth, diameter)
+
+    def base(self, depth: float, diameter: float) -> tuple[Reaction, Reaction]:
+        """Shear (N) against displacement and moment (N m) against rotation of a tip, one point."""
+        at, width = np.array([depth]), np.array([diameter])
+        return self._reaction(_BASE_SHEAR, at, width), self._reaction(_BASE_MOMENT, at, width)
 
     def shaft(self, depth: Array, diameter: Array) -> Reaction:
         """t-z of points along a tube, depth and diameter (n,); N/m."""
@@ -108,50 +116,8 @@ class Profile:
         return self._reaction(_TIP, np.array([depth]), np.array([diameter]))
 
     def effective_overburden(self, depth: Array, family: Family = "p-y") -> Array:
-        """s'v (Pa) at each depth: the integral of the unit weights that the curves give.
-
-        The weights are those of the family's own curves, or where they give none of the other's;
-        they vary linearly within a layer.
-        """
-        depth = np.asarray(depth, dtype=float)
-        weights, thickness = self._weights[family], self._thickness
-        rise = (weights[1] - weights[0]) / thickness
-        whole = weights.mean(axis=0)[:-1] * thickness[:-1]
-        above = np.concatenate(([0.0], np.cumsum(whole)))
-        layer = self.layer(depth)
-        inside = depth - self._top[layer]
-        mean = weights[0, layer] + 0.5 * rise[layer] * inside
-        partial = np.multiply(inside, mean, out=np.zeros(depth.shape), where=inside > 0.0)
-        overburden = above[layer] + partial
-        if np.isnan(overburden).any():
-            raise self._unknown_weight(family, float(np.min(depth[np.isnan(overburden)])))
-        return np.asarray(overburden)
-
-    def _unit_weights(self, family: Family) -> Array:
-        """Unit weight at the top and at the bottom of each layer, (2, layers); NaN if unknown."""
-        other: Family = "t-z" if family == "p-y" else "p-y"
-        given = []
-        for own, fallback in zip(self._curves[family], self._curves[other], strict=True):
-            found = [
-                c.parameters[_WEIGHT] for c in (own, fallback) if c and _WEIGHT in c.parameters
-            ]
-            given.append(found[0] if found else np.nan)
-        return np.asarray(np.array(given)[np.array(self._ends).T])
-
-    def _unknown_weight(self, family: Family, depth: float) -> UserError:
-        """The error of an overburden that needs a unit weight which no curve gives."""
-        layer, side = np.argwhere(np.isnan(self._weights[family].T))[0].tolist()
-        node = self._ends[layer][side]
-        ids = {"p-y": self.ground.lateral[node], "t-z": self.ground.axial[node]}
-        return UserError(
-            Fault(
-                f"the effective overburden at {depth:g} m below the mudline, which a {family} law "
-                f"needs, is unknown: at {self.ground.depths[node]:g} m neither p-y curve "
-                f"{ids['p-y']} nor t-z curve {ids['t-z']} gives an effective unit weight",
-                "give GAMMA= by name on the first line of one of them (where both are 0, of a user "
-                "curve without reaction)",
-            )
-        )
+        """s'v (Pa) at each depth, as `Surroundings.effective_overburden`."""
+        return self._around.effective_overburden(np.asarray(depth, dtype=float), family)
 
     def _reaction(self, kind: _Kind, depth: Array, diameter: Array) -> Reaction:
         depth, diameter = np.asarray(depth, dtype=float), np.asarray(diameter, dtype=float)
@@ -170,8 +136,8 @@ class Profile:
         self, family: Family, layer: int, at: Index, depth: Array
     ) -> Iterator[tuple[tuple[object, ...], _Piece]]:
         """Laws in force at points `at` of a layer, with the key by which they may be joined."""
-        upper, lower = (self._curves[family][node] for node in self._ends[layer])
-        top, thickness = self._top[layer], self._thickness[layer]
+        upper, lower = (self._curves[family][node] for node in self._layers.ends[layer])
+        top, thickness = self._layers.top[layer], self._layers.thickness[layer]
         share = (depth - top) / thickness
         if upper and lower and self._joined(upper, lower, bool(np.isinf(thickness))):
             parameters = {
@@ -226,6 +192,8 @@ class Profile:
         self, kind: _Kind, curve: Curve, depth: Array, diameter: Array, parameters: dict[str, Array]
     ) -> Law | None:
         if curve.rows:
+            if kind.columns is None:
+                return None
             options: dict[str, Any] = {**curve.options, **parameters}
             return user_law(
                 [row[kind.columns] for row in curve.rows],
@@ -234,15 +202,16 @@ class Profile:
                 options.get("multiplier", 1.0),
                 kind.compression_only,
             )
-        if curve.law not in kind.laws:
+        sides = _ALL[kind.family].get(curve.law)
+        if sides is None:
             raise InvalidData(
                 f"there is no {kind.family} law {curve.law!r} (without rows)",
-                f"the laws are {', '.join(kind.laws)}",
+                f"the laws are {', '.join(_ALL[kind.family])}",
                 "ITYP",
             )
-        law = kind.laws[curve.law]
-        taken = {field.name for field in fields(law)}  # type: ignore[arg-type]  # as above
-        known = taken | _PARTNERS.get(curve.law, frozenset()) | {_WEIGHT} | _OTHER_OPTIONS
+        if curve.law not in kind.laws:
+            return None
+        known = {f.name for side in sides if side for f in fields(side)} | {WEIGHT} | _OTHER_OPTIONS
         given: dict[str, Any] = {
             "depth": depth,
             "diameter": diameter,
@@ -255,18 +224,13 @@ class Profile:
                 f"the law {curve.law!r} does not take {', '.join(strange)}",
                 f"it takes {', '.join(sorted(known))}",
             )
-        if "effective_overburden" in taken:
-            given["effective_overburden"] = self.effective_overburden(depth, kind.family)
+        law = kind.laws[curve.law]
+        taken = {field.name for field in fields(law)}  # type: ignore[arg-type]  # as above
+        for name in taken - given.keys():
+            around = self._around.values(name, kind.family, depth, diameter)
+            if around is not None:
+                given[name] = around
         return law(**{name: value for name, value in given.items() if name in taken})
-
-
-#: All that the laws of one t-z curve take: shaft and tip share the curve.
-_PARTNERS: Mapping[str, frozenset[str]] = MappingProxyType(
-    {
-        name: frozenset(field.name for law in laws for field in fields(law))
-        for name, laws in axial.LAWS.items()
-    }
-)
 
 
 def _type_of(curve: Curve) -> tuple[object, ...]:
