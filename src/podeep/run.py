@@ -16,8 +16,7 @@ from .report import run_report, step_table, summary
 from .scene import Scene
 from .soil.curves import CurveTable
 from .soil.curves import curves as soil_curves
-from .soil.profile import Profile
-from .solve.analysis import Solved, solve
+from .solve.analysis import Solved, profile_of, solve
 from .solve.diagnosis import explain
 
 _BLOCK = 256  # steps that are committed to the database at once
@@ -149,4 +148,5 @@ def curves_at(
     if not 0.0 <= depth <= mudline - tube.tip:
         raise UserError(f"depth {depth:g} m is outside 0 to {mudline - tube.tip:g} m, the tip")
     section = next(s for s in tube.sections if mudline - depth >= s.bottom - 1e-9)
-    return soil_curves(Profile(scene.ground), depth, section.outer_diameter, displacement)
+    profile = profile_of(scene, found[name])
+    return soil_curves(profile, depth, section.outer_diameter, displacement)

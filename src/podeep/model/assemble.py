@@ -121,7 +121,12 @@ def lateral_problem(
 ) -> Problem:
     """Deflection on p-y reactions, in one plane or two."""
     x, weight = quadrature(field.edges, wet, field.degree)
-    reaction = profile.lateral(x, np.repeat(diameter[wet], field.degree))
+    width = np.repeat(diameter[wet], field.degree)
+    reaction = profile.lateral(x, width)
+    points = [Points(x, weight, reaction), *turning(profile, x, weight, width)]
+    for kind, base in enumerate(profile.base(float(field.edges[-1]), float(diameter[-1]))):
+        if base.laws:
+            points.append(Points(field.edges[-1:], np.ones(1), base, kind, spread=False))
     if needs.components == 2 and not reaction.odd:
         raise UserError(
             Fault(
@@ -131,8 +136,17 @@ def lateral_problem(
             )
         )
     collect = _Collector(scene, foundation, needs, field)
-    system = System(field, needs.components, [Points(x, weight, reaction)], *collect.holds())
+    system = System(field, needs.components, points, *collect.holds())
     return Problem(system, *collect.loads())
+
+
+def turning(profile: Profile, x: Array, weight: Array, width: Array) -> list[Points]:
+    """Moments against rotation at the points of p-y: those of their own, those that follow p."""
+    whole = profile.moment(x, width)
+    own = whole.part(lambda law: not law.follows_lateral)
+    following = whole.part(lambda law: law.follows_lateral)
+    both = (Points(x, weight, own, 1), Points(x, weight, following, 1, follows=0))
+    return [points for points in both if points.reaction.laws]
 
 
 def axial_problem(
@@ -149,7 +163,7 @@ def axial_problem(
     tip = profile.tip(float(field.edges[-1]), float(diameter[-1]))
     points = [
         Points(x, weight, shaft),
-        Points(field.edges[-1:], np.ones(1), tip),
+        Points(field.edges[-1:], np.ones(1), tip, spread=False),
     ]
     collect = _Collector(scene, foundation, None, field)
     return Problem(System(field, 1, points, *collect.holds()), *collect.loads())

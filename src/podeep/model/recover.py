@@ -18,26 +18,36 @@ class EndForces:
     """What the part above exerts on the part below at the top of each element, and the soil on it.
 
     force: shape (..., elements), N; moment: the same, N m (zero for a stretch); soil: reaction per
-    length at the Gauss points, shape (..., elements, points), N/m, zero where there is no soil.
+    length at the Gauss points, shape (..., elements, points), N/m, zero where there is no soil;
+    couple: moment per length against rotation there, N m/m, None where there is none at all.
     """
 
     field: Field
     force: Array
     moment: Array
     soil: Array
+    couple: Array | None = None
 
 
-def end_forces(field: Field, q: Array, soil: Array, elements: Index) -> EndForces:
+def end_forces(
+    field: Field, q: Array, soil: Array, elements: Index, couple: Array | None = None
+) -> EndForces:
     """Equilibrium of each element by virtual work.
 
     q: unknowns, shape (..., n). soil: reaction at the Gauss points of `elements` in order, shape
-    (..., elements * points), N/m. An element's end forces follow from its nodal functions alone,
-    since the internal ones do not work on them.
+    (..., elements * points), N/m; couple: moment against rotation there, N m/m. An element's end
+    forces follow from its nodal functions alone, since the internal ones do not work on them.
     """
     count = soil.shape[-1] // max(len(elements), 1)
     lead = q.shape[:-1]
-    spread = np.zeros((*lead, len(field.lengths), count))
-    spread[..., elements, :] = soil.reshape(*lead, len(elements), count)
+
+    def by_element(values: Array) -> Array:
+        whole = np.zeros((*lead, len(field.lengths), count))
+        whole[..., elements, :] = values.reshape(*lead, len(elements), count)
+        return whole
+
+    spread = by_element(soil)
+    turning = None if couple is None else by_element(couple)
     rows = range(field.nodal)
     local = field.element_stiffness[:, rows, :]
     nodal = np.einsum("eij,...ej->...ei", local, q[..., field.dofs])
@@ -46,8 +56,12 @@ def end_forces(field: Field, q: Array, soil: Array, elements: Index) -> EndForce
         shape = shape_functions(xi, field.continuity, field.degree)[:, rows] * weight[:, None]
         scale = field.scale[:, rows] * (0.5 * field.lengths[:, None])
         nodal += np.einsum("...eg,gi->...ei", spread, shape) * scale
+        if turning is not None:
+            slope = shape_functions(xi, field.continuity, field.degree, 1)[:, rows]
+            slope = slope * weight[:, None]
+            nodal += np.einsum("...eg,gi->...ei", turning, slope) * field.scale[:, rows]
     moment = -nodal[..., 1] * field.slope_length if field.nodal == 2 else 0.0 * nodal[..., 0]
-    return EndForces(field, nodal[..., 0], moment, spread)
+    return EndForces(field, nodal[..., 0], moment, spread, turning)
 
 
 def internal_forces(ends: EndForces, x: Array) -> tuple[Array, Array]:
@@ -68,4 +82,7 @@ def internal_forces(ends: EndForces, x: Array) -> tuple[Array, Array]:
         soil = ends.soil[..., element, :]
         force = force - half * np.einsum("...xg,xg->...x", soil, first)
         moment = moment - half**2 * np.einsum("...xg,xg->...x", soil, second)
+        if ends.couple is not None:
+            couple = ends.couple[..., element, :]
+            moment = moment + half * np.einsum("...xg,xg->...x", couple, first)
     return force, moment

@@ -51,8 +51,8 @@ class Results:
         """Soil reaction by component at embedded depths, shape (steps, components, len(x)), N/m."""
         return self._react(x, self.model.profile.lateral(x, self.diameter(x)))
 
-    def _react(self, x: Array, reaction: Reaction) -> Array:
-        u = self.deflection(x)
+    def _react(self, x: Array, reaction: Reaction, derivative: int = 0) -> Array:
+        u = self.deflection(x, derivative)
         if self.model.needs.components == 1:
             return reaction.evaluate(u[:, 0])[0][:, None]
         distance = np.hypot(u[:, 0], u[:, 1])
@@ -76,9 +76,20 @@ class Results:
     def _lateral_ends(self) -> list[EndForces]:
         system = self.model.lateral.system
         wet = embedded(system.field)
-        soil = self._react(system.points[0].x, system.points[0].reaction)
+        found: list[Array] = []
+        for points in system.points:
+            reaction = self._react(points.x, points.reaction, points.derivative)
+            if points.follows is not None:
+                reaction *= np.linalg.norm(found[points.follows], axis=1)[:, None]
+            found.append(reaction)
+        couples = [
+            r for p, r in zip(system.points, found, strict=True) if p.spread and p.derivative
+        ]
+        couple = sum(couples, start=np.zeros_like(found[0])) if couples else None
         return [
-            end_forces(system.field, q, soil[:, c], wet)
+            end_forces(
+                system.field, q, found[0][:, c], wet, None if couple is None else couple[:, c]
+            )
             for c, q in enumerate(np.moveaxis(self._components(), 1, 0))
         ]
 
@@ -90,7 +101,10 @@ class Results:
         return end_forces(system.field, self.axial, soil, embedded(system.field))
 
     def shear_and_moment(self, x: Array) -> tuple[Array, Array]:
-        """Shear EI u''' (N) and moment EI u'' (N m) by component, (steps, components, len(x))."""
+        """Shear (N) and moment EI u'' (N m) by component, shape (steps, components, len(x)).
+
+        The shear is the force across the tube: EI u''' less what the soil resists to rotation.
+        """
         pairs = [internal_forces(ends, x) for ends in self._lateral_ends]
         return np.stack([p[0] for p in pairs], axis=1), np.stack([p[1] for p in pairs], axis=1)
 

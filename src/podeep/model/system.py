@@ -27,11 +27,19 @@ _DENSE = 40_000  # entries below which a dense product beats a sparse one (call 
 
 @dataclass(frozen=True)
 class Points:
-    """Where a reaction acts on a field: depths x (m), weights (m; 1 for a tip), and the law."""
+    """Where a reaction acts on a field: depths x (m), weights (m; 1 for a tip), and the law.
+
+    derivative: 0 for a force against the field, 1 for a moment against its slope. follows: place
+    of the points, as many, whose current |reaction| scales this one; None: nothing does. spread:
+    the reaction acts along the field, not at one end of it.
+    """
 
     x: Array
     weight: Array
     reaction: Reaction
+    derivative: int = 0
+    follows: int | None = None
+    spread: bool = True
 
 
 @dataclass(frozen=True)
@@ -58,10 +66,15 @@ class System:
         self.held = held
         cuts = np.cumsum([0, *(len(p.x) for p in points)])
         self._slices = [slice(a, b) for a, b in itertools.pairwise(cuts)]
-        x = np.concatenate([p.x for p in points]) if points else np.zeros(0)
         weight = np.concatenate([p.weight for p in points]) if points else np.zeros(0)
         self.weight = weight
-        shape = field.interpolation(x)
+        none = np.zeros(0)
+        shape = sparse.csr_array(
+            sparse.vstack(
+                [field.interpolation(p.x, p.derivative) for p in points]
+                or [field.interpolation(none)]
+            )
+        )
         self._build_tangent(shape, springs)
         weighted = sparse.csr_array((shape * weight[:, None]).T)
         modes, stiffness = field.strain_modes
@@ -69,8 +82,8 @@ class System:
         # displacements at the points and strains at once; then the forces of both at once
         self._observe = _compact(sparse.csr_array(sparse.vstack([shape, modes])))
         self._balance = _compact(sparse.csr_array(sparse.hstack([weighted, stress])))
-        self._count = len(x)
-        capacity = [p.reaction.capacity for p in points] or [np.zeros(0)]
+        self._count = len(weight)
+        capacity = [self._capacity(p) for p in points] or [none]
         self._capacity_moduli = np.nan_to_num(np.concatenate(capacity), posinf=0.0) / _FAR
         self._sprung, self._springs = bool(springs), np.zeros(self.size)
         np.add.at(self._springs, [s.dof for s in springs], [s.stiffness for s in springs])
@@ -140,13 +153,27 @@ class System:
         """The field at the Gauss points, shape (points, components)."""
         return np.asarray((self._observe @ q.reshape(-1, self.components))[: self._count])
 
+    def _capacity(self, points: Points) -> Array:
+        """Bound of the reaction at some points, (n,)."""
+        own = points.reaction.capacity
+        leader = points.follows
+        return own if leader is None else own * self.points[leader].reaction.capacity
+
     def react(self, u: Array) -> tuple[Array, Array]:
-        """Reaction and modulus at signed displacements or distances u, shape (..., points)."""
+        """Reaction and modulus at signed displacements or distances u, shape (..., points).
+
+        The modulus of a reaction that follows another one leaves out how that one changes: the
+        tangent stays symmetric, and the iteration converges all the same, if less fast.
+        """
         if len(self.points) == 1:
             return self.points[0].reaction.evaluate(u)
         force, modulus = np.empty_like(u), np.empty_like(u)
         for at, point in zip(self._slices, self.points, strict=True):
             force[..., at], modulus[..., at] = point.reaction.evaluate(u[..., at])
+            if point.follows is not None:
+                leading = np.abs(force[..., self._slices[point.follows]])
+                force[..., at] *= leading
+                modulus[..., at] *= leading
         return force, modulus
 
     def internal(self, q: Array) -> Array:

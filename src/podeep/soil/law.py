@@ -19,6 +19,8 @@ class Law(ABC):
 
     #: force(-u) == -force(u)
     odd: ClassVar[bool] = True
+    #: the reaction comes for each unit of |p|, the lateral reaction at the same point
+    follows_lateral: ClassVar[bool] = False
     #: the standard with its clause, or the paper
     source: ClassVar[str]
 

@@ -123,6 +123,9 @@ class Profile:
         depth, diameter = np.asarray(depth, dtype=float), np.asarray(diameter, dtype=float)
         if (depth < 0.0).any():
             raise ValueError("a soil reaction is asked for above the mudline")
+        laws = {curve.law for curve in self._curves[kind.family] if curve}
+        if kind.columns is None and laws.isdisjoint(kind.laws):
+            return Reaction(len(depth), ())
         groups: dict[tuple[object, ...], list[_Piece]] = {}
         layer = self.layer(depth)
         for index in np.unique(layer).tolist():

@@ -1,5 +1,6 @@
 """The reaction of the soil at many points: laws, each at its points, added up."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import pairwise
@@ -37,6 +38,10 @@ class Reaction:
 
     size: int
     laws: tuple[Term, ...]
+
+    def part(self, wanted: Callable[[Law], bool]) -> "Reaction":
+        """The same with the laws that are wanted alone."""
+        return Reaction(self.size, tuple(term for term in self.laws if wanted(term.law)))
 
     @cached_property
     def odd(self) -> bool:

@@ -110,13 +110,19 @@ def better(one: Solved, other: Solved) -> bool:
 def first_model(scene: Scene, foundation: Foundation) -> Model:
     """The model on the first mesh. Raises UserError where a curve cannot be evaluated."""
     degree = scene.numerics.degree or DEGREE
-    profile = Profile(scene.ground)
+    profile = profile_of(scene, foundation)
     pieces = cut(scene, foundation, profile)
     boundaries = edges(pieces, profile, _SIZE[degree], scene.numerics.elements)
     wanted = needs(scene, foundation)
     model = assemble(scene, foundation, wanted, profile, pieces, boundaries, degree)
     check_restraint(model)
     return model
+
+
+def profile_of(scene: Scene, foundation: Foundation) -> Profile:
+    """The ground as the foundation's outermost tube meets it."""
+    tip = scene.tubes[foundation.tubes[0]].tip
+    return Profile(scene.ground, foundation.mudline - tip)
 
 
 def check_restraint(model: Model) -> None:
