@@ -10,10 +10,11 @@ SOURCE = Path(__file__).parents[1] / "src" / "podeep"
 #: Every module, lowest first: a file imports only from files above it in this list.
 ORDER = """
 __init__ arrays errors files units scene
-deck.__init__ deck.faults deck.scan deck.column deck.soil_keywords deck.model_keywords
-deck.keywords deck.cells deck.registry deck.curves deck.ground deck.structure deck.actions
+soil.__init__ soil.group
+deck.__init__ deck.faults deck.scan deck.column deck.curve_columns deck.ground_keywords
+deck.py_keyword deck.tz_keyword deck.model_keywords deck.keywords deck.cells deck.registry deck.curves deck.ground deck.structure deck.actions
 deck.paragraphs deck.read
-soil.__init__ soil.law soil.backbone soil.soft_clay soil.sand soil.lateral soil.axial
+soil.law soil.backbone soil.soft_clay soil.sand soil.lateral soil.axial
 soil.layers soil.surroundings soil.reaction soil.profile soil.curves
 beam.__init__ beam.shapes beam.field beam.band
 model.__init__ model.needs model.mesh model.system model.assemble model.recover

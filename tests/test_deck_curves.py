@@ -83,6 +83,98 @@ def test_sand(tmp_path: Path, text: str) -> None:
     assert dict(found.options) == {"cyclic": True}
 
 
+@pytest.mark.parametrize(
+    ("text", "law", "parameters", "options"),
+    [
+        (
+            "3 90e3 9e3 0.007 135e6",
+            "stiff_clay_free_water",
+            {
+                "undrained_shear_strength": 90e3,
+                "effective_unit_weight": 9e3,
+                "strain_50": 0.007,
+                "subgrade_modulus": 135e6,
+            },
+            {"cyclic": False},
+        ),
+        (
+            "4 90e3 18e3 0.007 CYCLES=1000",
+            "stiff_clay",
+            {
+                "undrained_shear_strength": 90e3,
+                "effective_unit_weight": 18e3,
+                "strain_50": 0.007,
+                "j": 0.5,
+                "cycles": 1000.0,
+            },
+            {"cyclic": False},
+        ),
+        (
+            "5 3e6 1.2e9 60 5e-4",
+            "weak_rock",
+            {
+                "compressive_strength": 3e6,
+                "rock_mass_modulus": 1.2e9,
+                "rock_quality_designation": 0.6,
+                "strain_rm": 5e-4,
+            },
+            {},
+        ),
+        (
+            "6 20e3 8e3 4 IP=LOW ALPHA=0.6 TE=0.9",
+            "iso_clay",
+            {
+                "undrained_shear_strength": 20e3,
+                "effective_unit_weight": 8e3,
+                "overconsolidation_ratio": 4.0,
+                "adhesion": 0.6,
+                "strength_ratio": 0.9,
+            },
+            {"plasticity": "LOW", "no_gap": False},
+        ),
+        (
+            "7 80e3 40e6 SITE=BOTHKENNAR",
+            "pisa_clay",
+            {"undrained_shear_strength": 80e3, "initial_shear_modulus": 40e6},
+            {"site": "BOTHKENNAR"},
+        ),
+        (
+            "8 10e3 75 60e6",
+            "pisa_sand",
+            {
+                "effective_unit_weight": 10e3,
+                "relative_density": 0.75,
+                "initial_shear_modulus": 60e6,
+            },
+            {},
+        ),
+        (
+            "9 10e3 35 0",
+            "reese_sand",
+            {"effective_unit_weight": 10e3, "friction_angle": radians(35.0)},
+            {"cyclic": False},
+        ),
+    ],
+)
+def test_further_types(
+    tmp_path: Path,
+    text: str,
+    law: str,
+    parameters: dict[str, float],
+    options: dict[str, str | bool],
+) -> None:
+    found = curve(tmp_path, "PYCURVE", f"\n9\n{text}")
+    assert (found.law, dict(found.options)) == (law, options)
+    assert dict(found.parameters) == pytest.approx(parameters | {"multiplier": 1.0}, rel=1e-15)
+
+
+def test_a_group_is_a_factor_on_the_curve(tmp_path: Path) -> None:
+    found = curve(tmp_path, "PYCURVE", "\n9\n2 1e4 35 0 SPACING=4 ROW=2 PMULT=0.5")
+    assert found.parameters["multiplier"] == pytest.approx(0.5 * 0.625, rel=1e-15)
+    found = curve(tmp_path, "PYCURVE", ", SPACING=3, ROW=MEAN3\n9 0 0\n1 1")
+    assert found.parameters["multiplier"] == pytest.approx((0.8 + 0.4 + 0.3) / 3.0, rel=1e-15)
+
+
 def test_user_curve(tmp_path: Path) -> None:
     found = curve(tmp_path, "PYCURVE", "\n9 0 1 GAMMA=8e3\n60e3 0.01\n90e3 0.03")
     assert (found.law, dict(found.options)) == ("user", {})
@@ -106,14 +198,21 @@ def test_direct(tmp_path: Path, text: str) -> None:
     found = curve(tmp_path, "TZCURVE", text)
     given = {"unit_friction": 50e3, "tip_pressure": 0.0, "initial_stiffness": 2e7}
     assert (found.law, dict(found.parameters)) == ("direct", given)
-    assert dict(found.options) == {"shape": "EP"}
+    assert dict(found.options) == {"shape": "EP", "plug": "AUTO"}
 
 
 def test_cohesive(tmp_path: Path) -> None:
     found = curve(tmp_path, "TZCURVE", ", SHAPE=API, RESIDUAL=0.8\n9 0\n1 20e3 8e3 0")
     given = {"undrained_shear_strength": 20e3, "effective_unit_weight": 8e3, "residual": 0.8}
     assert (found.law, dict(found.parameters)) == ("cohesive", given)
-    assert dict(found.options) == {"shape": "API"}
+    assert dict(found.options) == {"shape": "API", "method": "ALPHA", "plug": "AUTO"}
+
+
+def test_friction_may_be_given_and_the_plug_chosen(tmp_path: Path) -> None:
+    found = curve(tmp_path, "TZCURVE", ", METHOD=direct\n9 0 PLUG=UNPLUGGED\n1 20e3 8e3")
+    assert dict(found.options) == {"shape": "EP", "method": "DIRECT", "plug": "UNPLUGGED"}
+    found = curve(tmp_path, "TZCURVE", "\n9 0\n2 0.4 1e4 0 20 METHOD=DIRECT")
+    assert found.options["method"] == "DIRECT"
 
 
 @pytest.mark.parametrize(
@@ -158,13 +257,18 @@ def test_axial_rows(tmp_path: Path, text: str) -> None:
         ("PYCURVE", "\n9\n1 20e3 8e3 0.5 0.01\n1 2", "*PYCURVE takes no more lines here"),
         ("PYCURVE", ", SHAPE=WSD\n9\n2 1e4 35 22e6", "SHAPE has no effect here (ITYP 2"),
         ("PYCURVE", ", CYCLIC\n9 0 0\n1 1", "CYCLIC has no effect here (user curve"),
-        ("PYCURVE", "\n9\n3 20e3 8e3 0.5 0.01", "ITYP 3 of *PYCURVE is not read by this version"),
+        ("PYCURVE", "\n9\n10 20e3 8e3 0.5 0.01", "ITYP is 10; types are 1: soft clay"),
+        ("PYCURVE", "\n9\n1 20e3 8e3 0.5 0.01 ROW=1", "ROW has no effect without SPACING"),
+        ("PYCURVE", "\n9\n2 1e4 35 SPACING=4", "SPACING has no effect without ROW"),
+        ("PYCURVE", "\n9\n2 1e4 35 SPACING=2 ROW=1", "SPACING is 2, but must be at least 3"),
+        ("TZCURVE", "\n9 0\n1 20e3 8e3 METHOD=BETA", "METHOD 'BETA' is unknown"),
+        ("TZCURVE", ", METHOD=DIRECT\n9 0\n0 1\n1 1 0 0", "METHOD has no effect on a curve with"),
         ("PYCURVE", "\n9\n0 20e3 8e3", "ITYP is 0; types are 1: soft clay"),
         ("PYCURVE", "\n9\n1 20e3 8e3 J=0.5 0.01", "'0.01' follows a value by name"),
         ("PYCURVE", "\n9\n1 20e3 8e3 0.5 0.01 J=0.4", "J is given twice"),
         ("TZCURVE", "\n9 0", "*TZCURVE lacks the line of ITYP"),
         ("TZCURVE", "\n9 2\n0 1", "IOD is 2, but must be one of 0, 1"),
-        ("TZCURVE", ", PLUG=AUTO\n9 0\n0 1", "PLUG of *TZCURVE is not read by this version"),
+        ("TZCURVE", ", PLUG=HALF\n9 0\n0 1", "PLUG 'HALF' is unknown"),
         ("TZCURVE", ", RESIDUAL=0.5\n9 0\n0 1", "RESIDUAL is 0.5, but must be 0.7 to 1"),
         ("TZCURVE", ", RESIDUAL=0.8\n9 0\n0 1", "RESIDUAL has no effect with SHAPE=EP in ITYP 0"),
         (

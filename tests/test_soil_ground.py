@@ -169,7 +169,11 @@ class TestRefusals:
             (cohesive(5, {"residual": 0.8}), "t-z curve 5: the t-z shape EP has no residual"),
             (
                 cohesive(5, {"method": "BETA"}),
-                "t-z curve 5: the law 'cohesive' does not take method",
+                "t-z curve 5: there is no method BETA for the friction of this soil",
+            ),
+            (
+                cohesive(5, {"colour": "grey"}),
+                "t-z curve 5: the law 'cohesive' does not take colour",
             ),
             (Curve(5, "user", {}), "t-z curve 5: there is no t-z law 'user'"),
         ],

@@ -47,6 +47,8 @@ CASES = [
     *((shaft, {"shape": s}) for shaft, _ in axial.LAWS.values() for s in SHAPES),
     *((tip, {"shape": s}) for _, tip in axial.LAWS.values() for s in SHAPES),
     (axial.CohesiveShaft, {"shape": "2GEO", "residual": 0.7}),
+    (axial.CohesiveShaft, {"method": "DIRECT"}),
+    (axial.CohesionlessShaft, {"method": "DIRECT", "shape": "API"}),
     (UserCurve, {"points": SOFTENING}),
     (SignedUserCurve, {"points": SOFTENING}),
     (SignedUserCurve, {"points": SIGNED}),

@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from math import inf, radians
+from math import inf, pi
 from typing import Any
 
 from ..errors import Place
@@ -14,6 +14,7 @@ from .scan import Field, Paragraph
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d+)?", re.ASCII)
 _DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+([eEdD][+-]?\d+)?", re.ASCII)
+_TO_SI = {"deg": pi / 180.0, "%": 0.01}
 _NOT_FINITE = re.compile(r"[+-]?(nan|inf|infinity)", re.IGNORECASE)
 
 
@@ -33,9 +34,9 @@ class Values:
     sound: bool = True
 
     def arguments(self, columns: Sequence[Column]) -> dict[str, Any]:
-        """The values by what the scene calls them, angles in radians."""
+        """The values by what the scene calls them: angles in radians, percents as shares."""
         return {
-            c.key: radians(self.cells[c.name]) if c.unit == "deg" else self.cells[c.name]
+            c.key: self.cells[c.name] * _TO_SI[c.unit] if c.unit in _TO_SI else self.cells[c.name]
             for c in columns
             if c.key and c.name in self.cells
         }

@@ -43,7 +43,7 @@ class Column:
     named: it is given by name or as an option after a comma, never by position.
     default: what stands in where it is left out; otherwise: in words, where nothing does. With
     neither of them it is required. none_at_zero: a value that is not positive is as none.
-    A unit of "deg" becomes radians in the scene.
+    A unit of "deg" becomes radians in the scene, one of "%" a share.
     """
 
     name: str

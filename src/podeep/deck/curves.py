@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from ..errors import Place
 from ..scene import Curve
+from ..soil.group import group_multiplier, mean_multiplier
 from .cells import Values, after, option_fields, read_row
 from .column import Keyword, Row
 from .faults import Faults
@@ -13,10 +14,19 @@ from .keywords import KEYWORDS
 from .scan import Field, Paragraph
 
 PYCURVE, TZCURVE = KEYWORDS["PYCURVE"], KEYWORDS["TZCURVE"]
-_CLAY, _SAND, _USER, _STATIC_ROWS, _DYNAMIC_ROWS = PYCURVE.rows
-_PY_TYPES = MappingProxyType({"1": _CLAY, "2": _SAND})
-_TZ_TYPES = MappingProxyType(dict(zip("012", TZCURVE.rows, strict=False)))
-_TZ_ROWS = TZCURVE.rows[3]
+_USER, _STATIC_ROWS, _DYNAMIC_ROWS = PYCURVE.rows[-3:]
+_TZ_ROWS = TZCURVE.rows[-1]
+#: what may stand by name on the first line of a *TZCURVE whose values follow on the next
+_ANYWHERE = {"GAMMA", "SHAPE", "RESIDUAL", "METHOD", "PLUG", "IOD"}
+
+
+def _types(keyword: Keyword) -> Mapping[str, Row]:
+    """The rows of a keyword's predefined types by their number."""
+    rows = [row for row in keyword.rows if row.column("ITYP")]
+    return MappingProxyType({row.columns[1].choices[0]: row for row in rows})
+
+
+_PY_TYPES, _TZ_TYPES = _types(PYCURVE), _types(TZCURVE)
 
 
 class Found(NamedTuple):
@@ -54,7 +64,7 @@ def axial_curve(paragraph: Paragraph, faults: Faults) -> Found:
         return _empty(paragraph, TZCURVE, "NCUR IOD", faults)
     first, *rest = paragraph.lines
     words = [f for f in first if not f.name]
-    own = {f.name for f in first if f.name} - {"GAMMA", "SHAPE", "RESIDUAL", "IOD"}
+    own = {f.name for f in first if f.name} - _ANYWHERE
     if rest and not own and len(words) <= 2:
         in_place = list(first)
         if len(words) == 2:  # the second one is IOD: it goes by name in the joined line
@@ -106,7 +116,7 @@ def _typed(
         faults.add(below[0][0].place, f"*{keyword.name} takes no more lines here", row.layout)
     elif below and rows is not None:
         table = _table(below, rows, keyword, faults)
-        for name in ("SHAPE", "RESIDUAL"):
+        for name in ("SHAPE", "RESIDUAL", "METHOD"):
             if name in values.places:
                 message = f"{name} has no effect on a curve with rows"
                 faults.add(values.places[name], message, "leave out either")
@@ -117,8 +127,10 @@ def _typed(
         message = f"RESIDUAL has no effect with SHAPE={values.cells['SHAPE']} in {row.title}"
         faults.add(values.places["RESIDUAL"], message, "leave it out, or give SHAPE=2GEO")
         return Found(id_, values.place, None)
-    switches = [c for c in row.columns if c.kind in ("word", "flag")]
-    arguments = values.arguments(row.columns)
+    switches = [c for c in row.columns if c.kind in ("word", "flag") and c.key]
+    arguments = values.arguments(row.columns) | group_factor(values, faults)
+    if len(faults.found) > before:
+        return Found(id_, values.place, None)
     chosen: dict[str, Any] = {
         c.key: c.name in flags if c.kind == "flag" else arguments.pop(c.key) for c in switches
     }
@@ -131,6 +143,23 @@ def _typed(
         bool(table) and values.cells["IOD"] == 1,
     )
     return Found(id_, values.place, curve, notes)
+
+
+def group_factor(values: Values, faults: Faults) -> dict[str, float]:
+    """The factor on p-y of a pile in a group, with PMULT; empty without SPACING and ROW."""
+    spacing, row = (values.cells.get(name) for name in ("SPACING", "ROW"))
+    if spacing is None and row is None:
+        return {}
+    if spacing is None or row is None:
+        given, lacking = ("ROW", "SPACING") if spacing is None else ("SPACING", "ROW")
+        message = f"{given} has no effect without {lacking}"
+        faults.add(values.places[given], message, f"give both, or leave {given} out")
+        return {}
+    if row.startswith("MEAN"):
+        factor = mean_multiplier(spacing, int(row.removeprefix("MEAN")))
+    else:
+        factor = group_multiplier(spacing, int(row))
+    return {"multiplier": factor * values.cells["PMULT"]}
 
 
 def _softens(row: Row, values: Values) -> bool:
@@ -184,7 +213,9 @@ def _user_curve(paragraph: Paragraph, faults: Faults) -> Found:
         table = _table(below, _DYNAMIC_ROWS if dynamic else _STATIC_ROWS, PYCURVE, faults)
     if len(faults.found) > before:
         return Found(id_, values.place, None)
-    parameters = MappingProxyType(values.arguments(_USER.columns))
+    parameters = MappingProxyType(values.arguments(_USER.columns) | group_factor(values, faults))
+    if len(faults.found) > before:
+        return Found(id_, values.place, None)
     return Found(
         id_,
         values.place,

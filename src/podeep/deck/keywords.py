@@ -7,14 +7,18 @@ from types import MappingProxyType
 
 from ..errors import Fault, UserError
 from .column import Column, Keyword, Row
+from .ground_keywords import GROUNDEPTH, GROUNDPROP
 from .model_keywords import MODEL_KEYWORDS
-from .soil_keywords import SOIL_KEYWORDS
+from .py_keyword import PYCURVE
+from .tz_keyword import TZCURVE
 
 _WIDTH = 80
 
+_SOIL_KEYWORDS = (GROUNDEPTH, PYCURVE, TZCURVE, GROUNDPROP)
+
 #: The keywords that are read, in the order of the manual.
 KEYWORDS: Mapping[str, Keyword] = MappingProxyType(
-    {k.name: k for group in (MODEL_KEYWORDS[:2], SOIL_KEYWORDS, MODEL_KEYWORDS[2:]) for k in group}
+    {k.name: k for group in (MODEL_KEYWORDS[:2], _SOIL_KEYWORDS, MODEL_KEYWORDS[2:]) for k in group}
 )
 
 ALIASES: Mapping[str, str] = MappingProxyType(
@@ -100,7 +104,7 @@ def _page(keyword: Keyword) -> Iterator[str]:
 
 
 def _row(row: Row) -> Iterator[str]:
-    yield f"{row.title}: {row.layout}".rstrip(": ")
+    yield fill(f"{row.title}: {row.layout}".rstrip(": "), _WIDTH, subsequent_indent=" " * 4)
     for column in (*row.positional, *row.repeated, *(c for c in row.columns if c.named)):
         name = f"{column.name}=" if column.named and column.kind != "flag" else column.name
         yield fill(

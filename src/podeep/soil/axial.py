@@ -82,6 +82,15 @@ def _check_positive(name: str, unit: str, values: Values, field: str) -> None:
         )
 
 
+def _check_method(method: str, own: str) -> None:
+    if method not in (own, "DIRECT"):
+        raise InvalidData(
+            f"there is no method {method} for the friction of this soil",
+            f"give {own} or DIRECT",
+            "METHOD",
+        )
+
+
 def _yield_displacement(peak: Array, stiffness: Values) -> Array:
     """Where an elastic-plastic line reaches its peak; any length where the peak is 0."""
     return np.where(peak > 0.0, peak / stiffness, 1.0)
@@ -154,15 +163,23 @@ class Shaft(TableLaw):
 class CohesiveShaft(Shaft):
     """Friction in clay by the alpha method: tmax = `alpha_friction`; shapes of `Shaft`.
 
-    effective_overburden s'v (Pa), undrained_shear_strength su (Pa).
+    effective_overburden s'v (Pa), undrained_shear_strength su (Pa), method ("ALPHA"; "DIRECT": su
+    is the adhesion itself, tmax = su).
     """
 
     effective_overburden: Values
     undrained_shear_strength: Values
+    method: str = "ALPHA"
     default_residual: ClassVar[float] = 0.9
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        _check_method(self.method, "ALPHA")
 
     @property
     def peak_friction(self) -> Array:
+        if self.method == "DIRECT":
+            return np.asarray(self.undrained_shear_strength, dtype=float)
         return alpha_friction(self.undrained_shear_strength, self.effective_overburden)
 
 
@@ -171,25 +188,29 @@ class CohesionlessShaft(Shaft):
     """Friction in sand: tmax = `overburden_friction`; shapes of `Shaft`.
 
     effective_overburden s'v (Pa), earth_pressure_coefficient K (-), interface_friction_angle
-    delta (rad), friction_limit (Pa, > 0).
+    delta (rad), friction_limit (Pa, > 0), method ("BETA": beta = K tan(delta); "DIRECT": K is
+    beta itself, delta has no effect).
     """
 
     effective_overburden: Values
     earth_pressure_coefficient: Values
     interface_friction_angle: Values
     friction_limit: Values = np.inf
+    method: str = "BETA"
     api_is_2geo: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         super().__post_init__()
+        _check_method(self.method, "BETA")
         _check_positive("limit of friction", "Pa", self.friction_limit, "F5")
 
     @property
     def peak_friction(self) -> Array:
+        direct = self.method == "DIRECT"
         return overburden_friction(
             self.effective_overburden,
             self.earth_pressure_coefficient,
-            self.interface_friction_angle,
+            0.25 * pi if direct else self.interface_friction_angle,
             self.friction_limit,
         )
 
