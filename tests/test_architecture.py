@@ -15,7 +15,7 @@ deck.__init__ deck.faults deck.scan deck.column deck.curve_columns deck.ground_k
 deck.py_keyword deck.tz_keyword deck.model_keywords deck.keywords deck.cells deck.registry deck.curves deck.ground deck.structure deck.actions
 deck.paragraphs deck.read
 soil.law soil.backbone soil.soft_clay soil.sand soil.lateral soil.axial
-soil.layers soil.surroundings soil.reaction soil.profile soil.curves
+soil.layers soil.surroundings soil.reaction soil.profile soil.curves soil.lateral_capacity
 beam.__init__ beam.shapes beam.field beam.band
 model.__init__ model.needs model.mesh model.system model.assemble model.recover
 model.results model.grid
