@@ -12,7 +12,8 @@ ORDER = """
 __init__ arrays errors files units scene
 soil.__init__ soil.group
 deck.__init__ deck.faults deck.scan deck.column deck.curve_columns deck.ground_keywords
-deck.py_keyword deck.tz_keyword deck.model_keywords deck.keywords deck.cells deck.registry deck.curves deck.ground deck.structure deck.actions
+deck.py_keyword deck.tz_keyword deck.structure_keywords deck.action_keywords
+deck.analysis_keywords deck.keywords deck.cells deck.registry deck.curves deck.ground deck.structure deck.actions
 deck.paragraphs deck.read
 soil.law soil.backbone soil.soft_clay soil.sand soil.lateral soil.axial
 soil.layers soil.surroundings soil.reaction soil.profile soil.curves soil.lateral_capacity

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from podeep.deck.read import Deck, read_deck
-from podeep.scene import Displacement, Load, Newton, Numerics, Spring, Steps, Support
+from podeep.scene import Displacement, Load, Newton, Numerics, Sea, Spring, Steps, Support
 
 BASE = (Path(__file__).parent / "data" / "decks" / "base.deck").read_text(encoding="utf-8")
 
@@ -136,3 +136,19 @@ def test_angles_become_radians(tmp_path: Path) -> None:
     ground = read(tmp_path, BASE).scene.ground
     assert ground.lateral_curves[3].parameters["friction_angle"] == radians(34.0)
     assert ground.axial_curves[2].parameters["interface_friction_angle"] == radians(25.0)
+
+
+def test_tz_off_leaves_a_support_at_the_tip_alone(tmp_path: Path) -> None:
+    free = changed("*SPRING\n1 -110 Z 5e8\n", "")
+    deck = read(tmp_path, free.replace("ORDER=5", "ORDER=5 TZ=off"))
+    assert not deck.scene.numerics.axial_curves
+    assert Support(1, -110.0, ("Z",)) in deck.scene.supports
+    assert "TZ=OFF: tube 1 is held along z at its tip, -110 m, alone" in deck.notes
+    sprung = read(tmp_path, changed("ORDER=5", "ORDER=5 TZ=OFF"))
+    assert Support(1, -110.0, ("Z",)) not in sprung.scene.supports
+    assert read(tmp_path, changed("ORDER=5", "ORDER=5 TZ=ON")).scene.numerics.axial_curves
+
+
+def test_the_sea(tmp_path: Path) -> None:
+    assert read(tmp_path, BASE).scene.sea == Sea(1025.0, 9.80665)
+    assert read(tmp_path, changed("*EXEC", "*SEA\n1000\n*EXEC")).scene.sea == Sea(1000.0)

@@ -16,7 +16,8 @@ from .report import run_report, step_table, summary
 from .scene import Scene
 from .soil.curves import CurveTable
 from .soil.curves import curves as soil_curves
-from .solve.analysis import Solved, profile_of, solve
+from .soil.profile import profile_of
+from .solve.analysis import Solved, solve
 from .solve.diagnosis import explain
 
 _BLOCK = 256  # steps that are committed to the database at once

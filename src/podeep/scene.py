@@ -245,11 +245,23 @@ class Steps:
 
 @dataclass(frozen=True, slots=True)
 class Numerics:
-    """What the user asks of the discretisation; None leaves the choice to the program."""
+    """What the user asks of the model; None leaves the choice to the program.
+
+    axial_curves: t-z and Q-z act; otherwise supports alone carry the tubes along z.
+    """
 
     accuracy: float = 1e-3
     elements: int | None = None
     degree: int | None = None
+    axial_curves: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Sea:
+    """The water: density (kg/m3) and the acceleration of gravity (m/s2)."""
+
+    density: float = 1025.0
+    gravity: float = 9.80665
 
 
 @dataclass(frozen=True, slots=True)
@@ -267,6 +279,7 @@ class Scene:
     steps: Steps = Steps((), ())
     newton: Newton = Newton()
     numerics: Numerics = Numerics()
+    sea: Sea = Sea()
 
     def marks(self, foundation: Foundation) -> tuple[float, ...]:
         """Elevations at which something holds or drives the foundation's tubes, rising, m."""

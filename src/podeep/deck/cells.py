@@ -15,6 +15,7 @@ from .scan import Field, Paragraph
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d+)?", re.ASCII)
 _DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+([eEdD][+-]?\d+)?", re.ASCII)
 _TO_SI = {"deg": pi / 180.0, "%": 0.01}
+_SWITCH = {"ON": True, "OFF": False}
 _NOT_FINITE = re.compile(r"[+-]?(nan|inf|infinity)", re.IGNORECASE)
 
 
@@ -177,12 +178,17 @@ def _set(
 
 
 def convert(cell: Field, column: Column, faults: Faults) -> Any:
-    """The value of a field: int, float, str or True; None, and a fault, where it has none."""
+    """The value of a field: int, float, str or bool; None, and a fault, where it has none."""
     if not cell.text:
         faults.add(cell.place, f"{column.name}= has no value", column.explained)
         return None
     if column.kind == "word":
         return _word(cell, column, faults)
+    if column.kind == "switch":
+        if cell.text.upper() in _SWITCH:
+            return _SWITCH[cell.text.upper()]
+        faults.add(cell.place, f"{column.name} is '{cell.text}'", "write ON or OFF")
+        return None
     if column.kind == "flag":
         faults.add(cell.place, f"{column.name} takes no value", f"write {column.name} alone")
         return None

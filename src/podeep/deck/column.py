@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from math import inf
 from typing import Literal
 
-Kind = Literal["integer", "number", "word", "flag"]
+Kind = Literal["integer", "number", "word", "flag", "switch"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +43,8 @@ class Column:
     named: it is given by name or as an option after a comma, never by position.
     default: what stands in where it is left out; otherwise: in words, where nothing does. With
     neither of them it is required. none_at_zero: a value that is not positive is as none.
-    A unit of "deg" becomes radians in the scene, one of "%" a share.
+    A switch is ON or OFF, True or False in the scene. A unit of "deg" becomes radians there, one
+    of "%" a share.
     """
 
     name: str
@@ -65,6 +66,8 @@ class Column:
     @property
     def rule(self) -> str:
         """What a value must be, in words; empty where anything goes."""
+        if self.kind == "switch":
+            return "ON, OFF"
         return ", ".join(self.choices) if self.choices else str(self.bounds)
 
     @property

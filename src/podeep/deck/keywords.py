@@ -6,19 +6,36 @@ from textwrap import fill
 from types import MappingProxyType
 
 from ..errors import Fault, UserError
+from .action_keywords import DISPLACE, LOAD, QUASISTATIC, SPRING, SUPPORT
+from .analysis_keywords import (
+    ACCURACY,
+    DEPTH,
+    EXEC,
+    INCLUDE,
+    MODEL,
+    NEWTONSTAT,
+    SEA,
+    STOP,
+    TITLE,
+)
 from .column import Column, Keyword, Row
 from .ground_keywords import GROUNDEPTH, GROUNDPROP
-from .model_keywords import MODEL_KEYWORDS
 from .py_keyword import PYCURVE
+from .structure_keywords import CASING, FONDATION
 from .tz_keyword import TZCURVE
 
 _WIDTH = 80
 
-_SOIL_KEYWORDS = (GROUNDEPTH, PYCURVE, TZCURVE, GROUNDPROP)
-
 #: The keywords that are read, in the order of the manual.
 KEYWORDS: Mapping[str, Keyword] = MappingProxyType(
-    {k.name: k for group in (MODEL_KEYWORDS[:2], _SOIL_KEYWORDS, MODEL_KEYWORDS[2:]) for k in group}
+    {
+        k.name: k
+        for k in (
+            *(TITLE, DEPTH, GROUNDEPTH, PYCURVE, TZCURVE, GROUNDPROP, CASING, FONDATION),
+            *(SUPPORT, SPRING, LOAD, DISPLACE, QUASISTATIC, NEWTONSTAT, ACCURACY, MODEL, SEA),
+            *(INCLUDE, EXEC, STOP),
+        )
+    }
 )
 
 ALIASES: Mapping[str, str] = MappingProxyType(
@@ -27,7 +44,7 @@ ALIASES: Mapping[str, str] = MappingProxyType(
 
 #: Keywords of the original, or planned, that this version does not read.
 PLANNED: tuple[str, ...] = tuple(
-    """SLAVE TYPCONTACT CONTACT SPUDCAN MASS STIFFNESS SEA RADIATION INITIAL HARMONIC TIMESERIES
+    """SLAVE TYPCONTACT CONTACT SPUDCAN MASS STIFFNESS RADIATION INITIAL HARMONIC TIMESERIES
     DAMPING DYNAMIC DYNIMP NEWTONDYN DTREC LINE END SOILSTIFF SUCTION MOTION
     GROUP RISER MOORLINE RIGIBODY RIGIDSTRUC CDDEPTH WAVE FLUID-EX SPRINGPRO TRENCH
     STIFFAMP""".split()
@@ -123,9 +140,12 @@ def _what(column: Column) -> str:
     if column.kind == "integer" and not column.choices:
         parts.append("whole number")
     if column.rule:
-        parts.append(column.rule.replace(", ", " | ") if column.choices else column.rule)
+        listed = column.choices or column.kind == "switch"
+        parts.append(column.rule.replace(", ", " | ") if listed else column.rule)
     if column.default is not None:
         default = f"{column.default:g}" if isinstance(column.default, float) else column.default
+        if column.kind == "switch":
+            default = "ON" if column.default else "OFF"
         parts.append(f"default {default}")
     elif column.otherwise:
         parts.append(f"default: {column.otherwise}")

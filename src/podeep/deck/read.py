@@ -6,7 +6,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from ..scene import Curve, Ground, Newton, Numerics, Scene, Steps
+from ..scene import Curve, Ground, Newton, Numerics, Scene, Sea, Steps, Support
 from .actions import Actions, idle_names, likely_data, read_actions, read_steps
 from .curves import axial_curve, lateral_curve
 from .faults import Faults
@@ -57,11 +57,13 @@ def read_deck(path: Path) -> Deck:
     actions = read_actions(acting, tubes, faults)
     actions.complete &= given.complete("LOAD", "DISPLACE")
     _check_uses(given, foundations, tubes, actions, faults)
-    if ground is not None and actions.sound and given.complete("SUPPORT", "SPRING", "DISPLACE"):
+    numerics = _arguments(given, "ACCURACY") | _arguments(given, "MODEL")
+    if not numerics.get("axial_curves", True):
+        notes += _tip_supports(foundations, tubes, actions)
+    elif ground is not None and actions.sound and given.complete("SUPPORT", "SPRING", "DISPLACE"):
         _check_axial(foundations, tubes, ground, actions, faults)
     steps = _steps(given, actions, notes, faults)
     newton = _arguments(given, "NEWTONSTAT")
-    numerics = _arguments(given, "ACCURACY") | _arguments(given, "MODEL")
     faults.check()
 
     if ground is None or steps is None:  # whatever stands in their way is a fault
@@ -78,6 +80,7 @@ def read_deck(path: Path) -> Deck:
         steps,
         Newton(**newton),
         Numerics(**numerics),
+        Sea(**_arguments(given, "SEA")),
     )
     notes += [*unused_curves(ground), *_unused_tubes(scene), *idle_names(steps)]
     notes += likely_data(acting)
@@ -168,6 +171,20 @@ def _check_axial(
                 f"its {length:g} m, no support or spring does",
                 f"give t-z curves, or *SUPPORT with the line {read.tube} {tip:g} Z",
             )
+
+
+def _tip_supports(
+    foundations: Sequence[ReadFoundation], tubes: Registry[ReadTube], actions: Actions
+) -> Iterator[str]:
+    """Hold the tip of every tube that nothing else holds along z, and tell of it."""
+    for read in foundations:
+        known = tubes.items.get(read.tube or 0)
+        if read.foundation is None or read.tube is None or known is None or known.span is None:
+            continue
+        if not actions.act_axially_on(read.foundation.tubes):
+            tip = known.span[1]
+            actions.supports.append(Support(read.tube, tip, ("Z",)))
+            yield f"TZ=OFF: tube {read.tube} is held along z at its tip, {tip:g} m, alone"
 
 
 def _steps(given: Sorted, actions: Actions, notes: list[str], faults: Faults) -> Steps | None:

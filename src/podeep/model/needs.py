@@ -95,15 +95,17 @@ def isotropic(scene: Scene, foundation: Foundation) -> bool:
 
 def needs(scene: Scene, foundation: Foundation) -> Needs:
     """Decide on the model of one foundation."""
+    held = Decision("supports alone along z", "t-z and Q-z curves are left out (*MODEL TZ=OFF)")
+    axial = () if scene.numerics.axial_curves else (held,)
     vectors = lateral_vectors(scene, foundation)
     axis = common_axis(vectors)
     if axis is None:
-        return Needs(None, 2, (Decision("spatial", "the loads share no plane"),))
+        return Needs(None, 2, (Decision("spatial", "the loads share no plane"), *axial))
     if axis in (0.0, 90.0) or isotropic(scene, foundation):
         reason = (
             f"all loads share the plane at {axis:g} degrees from x"
             if vectors
             else ("no lateral load")
         )
-        return Needs(axis, 1, (Decision("planar", reason),))
-    return Needs(axis, 2, (Decision("spatial", "supports or springs differ in x and y"),))
+        return Needs(axis, 1, (Decision("planar", reason), *axial))
+    return Needs(axis, 2, (Decision("spatial", "supports or springs differ in x and y"), *axial))

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..arrays import Array, Index
 from ..errors import Fault, InvalidData, UserError
-from ..scene import Curve, Ground
+from ..scene import Curve, Foundation, Ground, Scene
 from . import axial, lateral
 from .backbone import user_law
 from .law import Law
@@ -75,11 +75,14 @@ class Profile:
     it; under the last depth the last curve goes on. Between two curves of one type parameters
     vary linearly and the law is evaluated at the true depth; otherwise loads vary linearly.
 
-    Raises UserError where a curve cannot be evaluated, naming the curve and the remedy.
+    embedded_length: of the tube, m, for the laws that depend on it. axial: whether t-z and Q-z
+    curves react. Raises UserError where a curve cannot be evaluated, naming it and the remedy.
     """
 
-    def __init__(self, ground: Ground, embedded_length: float | None = None) -> None:
-        self.ground = ground
+    def __init__(
+        self, ground: Ground, embedded_length: float | None = None, axial: bool = True
+    ) -> None:
+        self.ground, self._axial = ground, axial
         self._layers = Layers(ground.depths)
         self.boundaries = self._layers.boundaries
         self._curves: Mapping[Family, tuple[Curve | None, ...]] = MappingProxyType(
@@ -124,7 +127,8 @@ class Profile:
         if (depth < 0.0).any():
             raise ValueError("a soil reaction is asked for above the mudline")
         laws = {curve.law for curve in self._curves[kind.family] if curve}
-        if kind.columns is None and laws.isdisjoint(kind.laws):
+        silent = kind.family == "t-z" and not self._axial
+        if silent or (kind.columns is None and laws.isdisjoint(kind.laws)):
             return Reaction(len(depth), ())
         groups: dict[tuple[object, ...], list[_Piece]] = {}
         layer = self.layer(depth)
@@ -234,6 +238,13 @@ class Profile:
             if around is not None:
                 given[name] = around
         return law(**{name: value for name, value in given.items() if name in taken})
+
+
+def profile_of(scene: Scene, foundation: Foundation, axial: bool | None = None) -> Profile:
+    """The ground as a foundation's outermost tube meets it; axial: as the scene says, or forced."""
+    tip = scene.tubes[foundation.tubes[0]].tip
+    curves = scene.numerics.axial_curves if axial is None else axial
+    return Profile(scene.ground, foundation.mudline - tip, curves)
 
 
 def _type_of(curve: Curve) -> tuple[object, ...]:

@@ -11,7 +11,7 @@ from ..model.mesh import edges
 from ..model.needs import needs
 from ..model.results import Results
 from ..scene import Foundation, Scene
-from ..soil.profile import Profile
+from ..soil.profile import profile_of
 from .accuracy import Estimate, estimate, refine, unestimated
 from .newton import Limits
 from .statics import Failure, NoEquilibrium, State, steps
@@ -117,12 +117,6 @@ def first_model(scene: Scene, foundation: Foundation) -> Model:
     model = assemble(scene, foundation, wanted, profile, pieces, boundaries, degree)
     check_restraint(model)
     return model
-
-
-def profile_of(scene: Scene, foundation: Foundation) -> Profile:
-    """The ground as the foundation's outermost tube meets it."""
-    tip = scene.tubes[foundation.tubes[0]].tip
-    return Profile(scene.ground, foundation.mudline - tip)
 
 
 def check_restraint(model: Model) -> None:
