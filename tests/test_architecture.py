@@ -17,10 +17,11 @@ deck.analysis_keywords deck.keywords deck.cells deck.registry deck.curves deck.g
 deck.paragraphs deck.read
 soil.law soil.backbone soil.soft_clay soil.sand soil.lateral soil.axial
 soil.layers soil.surroundings soil.reaction soil.profile soil.curves soil.lateral_capacity
+soil.spudcan
 beam.__init__ beam.shapes beam.field beam.band
-model.__init__ model.needs model.mesh model.system model.assemble model.recover
+model.__init__ model.needs model.mesh model.system model.footing model.assemble model.recover
 model.results model.grid
-solve.__init__ solve.newton solve.statics solve.accuracy solve.analysis solve.diagnosis
+solve.__init__ solve.newton solve.advance solve.yielding solve.statics solve.accuracy solve.analysis solve.diagnosis
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read
 record describe report query table figure

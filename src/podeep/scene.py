@@ -203,6 +203,51 @@ class Spring:
 
 
 @dataclass(frozen=True, slots=True)
+class Spudcan:
+    """A spudcan under the tip of a tube, in place of its end bearing.
+
+    diameter: of the area in contact, m; embedment: depth of the largest bearing area below the
+    mudline, m. preload: vertical load that it was pushed in with, N; with it loads are held
+    against the yield surface. soil, strengths and the like are for that and for its bearing:
+    tip_shear_strength is su at the tip (None: su), lateral_area is embedded and projected
+    sideways, m2. embedment_factors: on vertical, horizontal and rotational stiffness.
+    """
+
+    tube: int
+    diameter: float
+    embedment: float
+    shear_modulus: float
+    poisson_ratio: float
+    preload: float | None = None
+    soil: Literal["CLAY", "SAND"] | None = None
+    undrained_shear_strength: float | None = None
+    tip_shear_strength: float | None = None
+    lateral_area: float = 0.0
+    overconsolidation_ratio: float = 1.0
+    friction_angle: float | None = None
+    effective_unit_weight: float | None = None
+    relative_density: float | None = None
+    vertical_factor: float = 1.0
+    horizontal_factor: float = 1.0
+    rotational_factor: float = 1.0
+
+    def __post_init__(self) -> None:
+        if self.preload is not None and self.soil is None:
+            raise InvalidData(
+                f"the spudcan's yield surface under {self.preload:g} N of preload depends on its "
+                "soil, which is not given",
+                "give SOIL=CLAY with SU, or SOIL=SAND",
+                "V_PRELOAD",
+            )
+        if self.soil == "CLAY" and self.undrained_shear_strength is None:
+            raise InvalidData(
+                "a spudcan in clay needs the clay's strength",
+                "give SU, undrained and in Pa",
+                "SOIL",
+            )
+
+
+@dataclass(frozen=True, slots=True)
 class Load:
     """A point load: global force (N) and moment (N m), z up, moments by the right hand."""
 
@@ -274,12 +319,17 @@ class Scene:
     ground: Ground
     supports: tuple[Support, ...] = ()
     springs: tuple[Spring, ...] = ()
+    spudcans: tuple[Spudcan, ...] = ()
     loads: tuple[Load, ...] = ()
     displacements: tuple[Displacement, ...] = ()
     steps: Steps = Steps((), ())
     newton: Newton = Newton()
     numerics: Numerics = Numerics()
     sea: Sea = Sea()
+
+    def spudcan(self, foundation: Foundation) -> Spudcan | None:
+        """The spudcan under a foundation's outermost tube, if it has one."""
+        return next((s for s in self.spudcans if s.tube == foundation.tubes[0]), None)
 
     def marks(self, foundation: Foundation) -> tuple[float, ...]:
         """Elevations at which something holds or drives the foundation's tubes, rising, m."""

@@ -1,6 +1,6 @@
 """The keywords of what holds and drives the tubes, and of the steps in which it does."""
 
-from .column import IDS, POSITIVE, Bounds, Column, Keyword, Row
+from .column import IDS, NOT_NEGATIVE, POSITIVE, Bounds, Column, Keyword, Row
 
 _NAME = Column("NAME", "name of the load, by which steps call it", kind="word")
 _IGR = Column("IGR", "tube", bounds=IDS, key="tube", kind="integer")
@@ -12,6 +12,16 @@ _DOF = Column("DOF", "degree of freedom", key="dof", kind="word", choices=_DOFS)
 def _component(name: str, meaning: str, unit: str) -> Column:
     moment = 0.0 if name.startswith("M") else None
     return Column(name, meaning, unit, default=moment)
+
+
+def _soil(
+    name: str, meaning: str, unit: str, key: str, default: float | str | None = None
+) -> Column:
+    """What is known of a spudcan's soil: with a number as default, or in words what stands in."""
+    bounds = Bounds(0.0, open=True) if name != "AS" else Bounds(0.0)
+    if isinstance(default, float):
+        return Column(name, meaning, unit, bounds, key, named=True, default=default)
+    return Column(name, meaning, unit, bounds, key, named=True, otherwise=default or "unknown")
 
 
 SUPPORT = Keyword(
@@ -31,6 +41,60 @@ SPRING = Keyword(
         ),
     ),
     "*SPRING\n1 -58 RY 20e6",
+)
+
+SPUDCAN = Keyword(
+    "SPUDCAN",
+    "a spudcan under a tube, in place of end bearing",
+    (
+        Row(
+            "spudcans",
+            (
+                _IGR,
+                Column("B", "diameter of the area in contact", "m", POSITIVE, "diameter"),
+                Column(
+                    "EMBED",
+                    "depth of the largest bearing area below the mudline",
+                    "m",
+                    NOT_NEGATIVE,
+                    "embedment",
+                ),
+                Column("G", "shear modulus of the soil", "Pa", POSITIVE, "shear_modulus"),
+                Column("NU", "Poisson's ratio of the soil", "-", Bounds(0.0, 0.5), "poisson_ratio"),
+                Column(
+                    "V_PRELOAD",
+                    "vertical preload; with it the yield surface holds",
+                    "N",
+                    POSITIVE,
+                    "preload",
+                    otherwise="elastic",
+                ),
+                Column(
+                    "SOIL",
+                    "soil of the yield surface and the bearing",
+                    key="soil",
+                    kind="word",
+                    choices=("CLAY", "SAND"),
+                    named=True,
+                    otherwise="none",
+                ),
+                _soil("SU", "undrained strength at EMBED", "Pa", "undrained_shear_strength"),
+                _soil("SUTIP", "undrained strength at the tip", "Pa", "tip_shear_strength", "SU"),
+                _soil("AS", "embedded area, projected sideways", "m2", "lateral_area", 0.0),
+                _soil("OCR", "overconsolidation ratio", "-", "overconsolidation_ratio", 1.0),
+                _soil("PHI", "friction angle", "deg", "friction_angle"),
+                _soil("GAMMA", "effective unit weight", "N/m3", "effective_unit_weight"),
+                _soil("DR", "relative density", "%", "relative_density"),
+                _soil("KD1", "factor on the vertical stiffness", "-", "vertical_factor", 1.0),
+                _soil("KD2", "factor on the horizontal stiffness", "-", "horizontal_factor", 1.0),
+                _soil("KD3", "factor on the rotational stiffness", "-", "rotational_factor", 1.0),
+            ),
+        ),
+    ),
+    "*SPUDCAN\n1 14 3 40e6 0.5 120e6 SOIL=CLAY SU=60e3 AS=30",
+    "By ISO 19905-1. Springs hold the tip: vertical, horizontal, rotational. The factors for embedment of ISO "
+    "19905-1 are not public: 1 is their lower bound. Under a preload the rotational spring "
+    "softens as the loads near the yield surface.",
 )
 
 LOAD = Keyword(

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from math import radians
 
 from ..errors import Place
-from ..scene import Displacement, Load, Spring, Steps, Support
+from ..scene import Displacement, Load, Spring, Spudcan, Steps, Support
 from .cells import Values, no_data, read_lines, read_row
 from .faults import Faults, nearest
 from .keywords import KEYWORDS
@@ -29,6 +29,7 @@ class Actions:
 
     supports: list[Support] = field(default_factory=list)
     springs: list[Spring] = field(default_factory=list)
+    spudcans: list[Spudcan] = field(default_factory=list)
     loads: list[Load] = field(default_factory=list)
     displacements: list[Displacement] = field(default_factory=list)
     names: dict[str, str] = field(default_factory=dict)
@@ -39,8 +40,9 @@ class Actions:
     moved: dict[tuple[int, float, str], Place] = field(default_factory=dict)
 
     def act_axially_on(self, tubes: Sequence[int]) -> bool:
-        """Whether a support, spring or displacement holds one of the tubes along z."""
-        held = [s.tube for s in self.supports if "Z" in s.dofs]
+        """Whether a support, spring, spudcan or displacement holds one of the tubes along z."""
+        held = [s.tube for s in self.spudcans]
+        held += [s.tube for s in self.supports if "Z" in s.dofs]
         held += [s.tube for s in self.springs if s.dof == "Z"]
         held += [d.tube for d in self.displacements if d.dof == "Z"]
         return any(tube in tubes for tube in held)
@@ -49,7 +51,7 @@ class Actions:
 def read_actions(
     paragraphs: Sequence[Paragraph], tubes: Registry[ReadTube], faults: Faults
 ) -> Actions:
-    """All of *SUPPORT, *SPRING, *LOAD and *DISPLACE."""
+    """All of *SUPPORT, *SPRING, *SPUDCAN, *LOAD and *DISPLACE."""
     actions = Actions()
     for paragraph in paragraphs:
         lines = read_lines(paragraph, KEYWORDS[paragraph.keyword], faults)
@@ -85,6 +87,9 @@ def _take(
         actions.sound &= keyword == "LOAD"
         return
     cells = values.cells
+    if keyword == "SPUDCAN":
+        _spudcan(values, actions, faults)
+        return
     tube, elevation = cells["IGR"], cells["Z"]
     match keyword:
         case "SUPPORT":
@@ -105,6 +110,19 @@ def _take(
             actions.moved.setdefault((tube, elevation, dof), values.places["DOF"])
 
 
+def _spudcan(values: Values, actions: Actions, faults: Faults) -> None:
+    """Take in a spudcan; a second one under the same tube is told."""
+    columns = KEYWORDS["SPUDCAN"].rows[0].columns
+    arguments, tube = values.arguments(columns), values.cells["IGR"]
+    if any(known.tube == tube for known in actions.spudcans):
+        message = f"tube {tube} already has a spudcan"
+        faults.add(values.places["IGR"], message, "a tube has one tip: take one out")
+        return
+    made = faults.guarded(lambda: Spudcan(**arguments), values.places, values.place)
+    if made is not None:
+        actions.spudcans.append(made)
+
+
 def _on_tube(values: Values, actions: Actions, tubes: Registry[ReadTube], faults: Faults) -> bool:
     """Whether a line's tube exists and its elevation lies on it; otherwise it is told."""
     before = len(faults.found)
@@ -114,7 +132,7 @@ def _on_tube(values: Values, actions: Actions, tubes: Registry[ReadTube], faults
     if known is None or known.span is None:
         return False
     top, tip = known.span
-    if not tip <= values.cells["Z"] <= top:
+    if not tip <= values.cells.get("Z", tip) <= top:
         faults.add(
             values.places["Z"],
             f"Z is {values.cells['Z']:g} m, but tube {igr} stands from {tip:g} to {top:g} m",

@@ -6,7 +6,7 @@ from textwrap import fill
 from types import MappingProxyType
 
 from ..errors import Fault, UserError
-from .action_keywords import DISPLACE, LOAD, QUASISTATIC, SPRING, SUPPORT
+from .action_keywords import DISPLACE, LOAD, QUASISTATIC, SPRING, SPUDCAN, SUPPORT
 from .analysis_keywords import (
     ACCURACY,
     DEPTH,
@@ -32,7 +32,8 @@ KEYWORDS: Mapping[str, Keyword] = MappingProxyType(
         k.name: k
         for k in (
             *(TITLE, DEPTH, GROUNDEPTH, PYCURVE, TZCURVE, GROUNDPROP, CASING, FONDATION),
-            *(SUPPORT, SPRING, LOAD, DISPLACE, QUASISTATIC, NEWTONSTAT, ACCURACY, MODEL, SEA),
+            *(SUPPORT, SPRING, SPUDCAN, LOAD, DISPLACE, QUASISTATIC),
+            *(NEWTONSTAT, ACCURACY, MODEL, SEA),
             *(INCLUDE, EXEC, STOP),
         )
     }
@@ -44,7 +45,7 @@ ALIASES: Mapping[str, str] = MappingProxyType(
 
 #: Keywords of the original, or planned, that this version does not read.
 PLANNED: tuple[str, ...] = tuple(
-    """SLAVE TYPCONTACT CONTACT SPUDCAN MASS STIFFNESS RADIATION INITIAL HARMONIC TIMESERIES
+    """SLAVE TYPCONTACT CONTACT MASS STIFFNESS RADIATION INITIAL HARMONIC TIMESERIES
     DAMPING DYNAMIC DYNIMP NEWTONDYN DTREC LINE END SOILSTIFF SUCTION MOTION
     GROUP RISER MOORLINE RIGIBODY RIGIDSTRUC CDDEPTH WAVE FLUID-EX SPRINGPRO TRENCH
     STIFFAMP""".split()

@@ -17,7 +17,8 @@ from .registry import Registry
 from .scan import scan
 from .structure import ReadFoundation, ReadTube, check_foundations, read_foundations, read_tube
 
-_ACTIONS = ("SUPPORT", "SPRING", "LOAD", "DISPLACE")
+_HOLDING = ("SUPPORT", "SPRING", "SPUDCAN", "DISPLACE")
+_ACTIONS = (*_HOLDING, "LOAD")
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,7 @@ def read_deck(path: Path) -> Deck:
     numerics = _arguments(given, "ACCURACY") | _arguments(given, "MODEL")
     if not numerics.get("axial_curves", True):
         notes += _tip_supports(foundations, tubes, actions)
-    elif ground is not None and actions.sound and given.complete("SUPPORT", "SPRING", "DISPLACE"):
+    elif ground is not None and actions.sound and given.complete(*_HOLDING):
         _check_axial(foundations, tubes, ground, actions, faults)
     steps = _steps(given, actions, notes, faults)
     newton = _arguments(given, "NEWTONSTAT")
@@ -75,6 +76,7 @@ def read_deck(path: Path) -> Deck:
         ground,
         tuple(actions.supports),
         tuple(actions.springs),
+        tuple(actions.spudcans),
         tuple(actions.loads),
         tuple(actions.displacements),
         steps,

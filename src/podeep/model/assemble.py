@@ -15,6 +15,7 @@ from ..beam.shapes import gauss_points
 from ..errors import Fault, UserError
 from ..scene import Dof, Foundation, Scene
 from ..soil.profile import Profile
+from .footing import Footing, footing
 from .mesh import Stretch, stretches
 from .needs import Needs
 from .system import Points, Spring, System
@@ -58,6 +59,7 @@ class Model:
     profile: Profile
     lateral: Problem
     axial: Problem
+    footing: Footing | None = None
 
     @property
     def edges(self) -> Array:
@@ -96,9 +98,12 @@ def assemble(
     stretch = Field(boundaries, stretching, degree - 1, 0)
     wet = np.flatnonzero(middle > 0.0)
 
-    lateral = lateral_problem(scene, foundation, needs, deflection, profile, wet, diameter)
-    axial = axial_problem(scene, foundation, stretch, profile, wet, diameter)
-    return Model(foundation, needs, tuple(pieces), profile, lateral, axial)
+    spudcan = scene.spudcan(foundation)
+    under = footing(spudcan) if spudcan else None
+    place = (scene, foundation, under)
+    lateral = lateral_problem(*place, needs, deflection, profile, wet, diameter)
+    axial = axial_problem(*place, stretch, profile, wet, diameter)
+    return Model(foundation, needs, tuple(pieces), profile, lateral, axial, under)
 
 
 def quadrature(boundaries: Array, elements: Index, count: int) -> tuple[Array, Array]:
@@ -113,6 +118,7 @@ def quadrature(boundaries: Array, elements: Index, count: int) -> tuple[Array, A
 def lateral_problem(
     scene: Scene,
     foundation: Foundation,
+    under: Footing | None,
     needs: Needs,
     field: Field,
     profile: Profile,
@@ -135,7 +141,7 @@ def lateral_problem(
                 "give all loads of the foundation one plane, or a curve without negative rows",
             )
         )
-    collect = _Collector(scene, foundation, needs, field)
+    collect = _Collector(scene, foundation, under, needs, field)
     system = System(field, needs.components, points, *collect.holds())
     return Problem(system, *collect.loads())
 
@@ -152,6 +158,7 @@ def turning(profile: Profile, x: Array, weight: Array, width: Array) -> list[Poi
 def axial_problem(
     scene: Scene,
     foundation: Foundation,
+    under: Footing | None,
     field: Field,
     profile: Profile,
     wet: Index,
@@ -160,12 +167,11 @@ def axial_problem(
     """Stretch on t-z reactions along the shaft and Q-z at the tip."""
     x, weight = quadrature(field.edges, wet, field.degree + 1)
     shaft = profile.shaft(x, np.repeat(diameter[wet], field.degree + 1))
-    tip = profile.tip(float(field.edges[-1]), float(diameter[-1]))
-    points = [
-        Points(x, weight, shaft),
-        Points(field.edges[-1:], np.ones(1), tip, spread=False),
-    ]
-    collect = _Collector(scene, foundation, None, field)
+    points = [Points(x, weight, shaft)]
+    if under is None:
+        tip = profile.tip(float(field.edges[-1]), float(diameter[-1]))
+        points.append(Points(field.edges[-1:], np.ones(1), tip, spread=False))
+    collect = _Collector(scene, foundation, under, None, field)
     return Problem(System(field, 1, points, *collect.holds()), *collect.loads())
 
 
@@ -173,9 +179,14 @@ class _Collector:
     """Translates the scene's point data to unknowns of one field (axial where needs is None)."""
 
     def __init__(
-        self, scene: Scene, foundation: Foundation, needs: Needs | None, field: Field
+        self,
+        scene: Scene,
+        foundation: Foundation,
+        under: Footing | None,
+        needs: Needs | None,
+        field: Field,
     ) -> None:
-        self.scene, self.field = scene, field
+        self.scene, self.field, self.under = scene, field, under
         self.mudline, self.tube = foundation.mudline, foundation.tubes[0]
         self.axes = needs.direction if needs else ()
         self.size = field.size * max(len(self.axes), 1)
@@ -207,6 +218,18 @@ class _Collector:
             if spring.tube == self.tube:
                 for unknown, cosine, length in self.unknowns(spring.elevation, spring.dof):
                     springs.append(Spring(unknown, spring.stiffness * (cosine / length) ** 2))
+        if self.under is not None:
+            tip = self.mudline - float(self.field.edges[-1])
+            k1, k2, k3, _ = (float(k) for k in self.under.stiffness)
+            sides: tuple[tuple[Dof, float], ...] = (
+                *(("Z", k1), ("X", k2), ("Y", k2)),
+                *(("RX", k3), ("RY", k3)),
+            )
+            for side, stiffness in sides:
+                for unknown, cosine, length in self.unknowns(tip, side):
+                    softens = side.startswith("R")
+                    amount = stiffness * (cosine / length) ** 2
+                    springs.append(Spring(unknown, amount, softens))
         for support in self.scene.supports:
             if support.tube == self.tube:
                 for dof in support.dofs:

@@ -69,6 +69,8 @@ class Results:
         field = self.model.axial.system.field
         depth = field.edges[-1:]
         u = self.settlement(depth)
+        if self.model.footing is not None:
+            return u[:, 0], self.model.footing.stiffness.vertical * u[:, 0]
         reaction = self.model.profile.tip(float(depth[0]), float(self.diameter(depth)[0]))
         return u[:, 0], reaction.evaluate(u)[0][:, 0]
 

@@ -9,6 +9,7 @@ a vector along the displacement, with the secant p/r across it and the tangent p
 
 import itertools
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
@@ -44,10 +45,14 @@ class Points:
 
 @dataclass(frozen=True)
 class Spring:
-    """A linear spring to ground at one unknown, N/m in the field's scaling."""
+    """A linear spring to ground at one unknown, N/m in the field's scaling.
+
+    softens: its stiffness is multiplied by the system's `softening`.
+    """
 
     dof: int
     stiffness: float
+    softens: bool = False
 
 
 class System:
@@ -85,8 +90,12 @@ class System:
         self._count = len(weight)
         capacity = [self._capacity(p) for p in points] or [none]
         self._capacity_moduli = np.nan_to_num(np.concatenate(capacity), posinf=0.0) / _FAR
+        self.softening = 1.0
         self._sprung, self._springs = bool(springs), np.zeros(self.size)
         np.add.at(self._springs, [s.dof for s in springs], [s.stiffness for s in springs])
+        soft = [s for s in springs if s.softens]
+        self._soft = np.zeros(self.size)
+        np.add.at(self._soft, [s.dof for s in soft], [s.stiffness for s in soft])
 
     def _build_tangent(self, shape: sparse.csr_array, springs: Sequence[Spring]) -> None:
         field, m = self.field, self.components
@@ -148,6 +157,19 @@ class System:
         return scatter_matrix(
             place, entry, np.concatenate([s.ravel() for s in sources]), (storage, kinds * count)
         )
+
+    def softened(self, factor: float) -> "System":
+        """The same system with the springs that soften at a share of their full stiffness."""
+        if factor == self.softening:
+            return self
+        other = copy(self)
+        change = (factor - self.softening) * self._soft
+        change[self.held] = 0.0
+        other.softening, other._springs = factor, self._springs + change
+        other._linear = self._linear.copy()
+        other._linear[:: self.width] += change
+        other.diagonal = self.diagonal + change
+        return other
 
     def displacement(self, q: Array) -> Array:
         """The field at the Gauss points, shape (points, components)."""

@@ -58,14 +58,19 @@ def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
 
 
 def _corrected(
-    coarse: Problem, fine: Problem, states: Sequence[Array], factors: Array, limits: Limits
+    coarse: Problem,
+    fine: Problem,
+    states: Sequence[Array],
+    softening: Sequence[float],
+    factors: Array,
+    limits: Limits,
 ) -> tuple[Array, Array]:
     """States prolonged to the fine problem, and its own equilibria near them."""
     field, components = coarse.system.field, fine.system.components
     before = [prolong(q, field, fine.system.field, components) for q in states]
     after = [
-        newton(fine.system, q, fine.load(factor), limits).q
-        for q, factor in zip(before, factors, strict=True)
+        newton(fine.system.softened(kept), q, fine.load(factor), limits).q
+        for q, kept, factor in zip(before, softening, factors, strict=True)
     ]
     return np.array(before), np.array(after)
 
@@ -117,10 +122,11 @@ def estimate(
     """
     limits = Limits(residual=_RESIDUAL * accuracy)
     factors = np.array([s.factors for s in states])
+    kept = [s.softening for s in states]
     lateral = _corrected(
-        model.lateral, richer.lateral, [s.lateral for s in states], factors, limits
+        model.lateral, richer.lateral, [s.lateral for s in states], kept, factors, limits
     )
-    axial = _corrected(model.axial, richer.axial, [s.axial for s in states], factors, limits)
+    axial = _corrected(model.axial, richer.axial, [s.axial for s in states], kept, factors, limits)
     reported = Results(
         model, np.array([s.lateral for s in states]), np.array([s.axial for s in states])
     )

@@ -23,6 +23,7 @@ class Ending(Enum):
 
     CONVERGED = "equilibrium found"
     MECHANISM = "the tangent is singular: nothing holds the tube against this load"
+    YIELDED = "the loads on the spudcan lie outside its yield surface"
     EXHAUSTED = "no equilibrium within the allowed iterations"
 
 

@@ -7,10 +7,10 @@ from typing import Literal
 import numpy as np
 
 from ..arrays import Array
-from ..model.assemble import Model, Problem
-from .newton import NO_SCALE, Ending, Limits, Outcome, Scale, Work, largest, newton
-
-_HALVINGS = 10
+from ..model.assemble import Model
+from .advance import Track
+from .newton import Ending, Limits
+from .yielding import advance_yielding
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +18,7 @@ class State:
     """Equilibrium of a step: load factors (names,), unknowns of both problems, what it took.
 
     energy: work of loads and holds since step 0, J. step_size: the smallest part of the step that
-    was taken at once.
+    was taken at once. softening: share of its stiffness that a spudcan's rotational spring keeps.
     """
 
     step: int
@@ -30,6 +30,7 @@ class State:
     residual: float
     step_size: float
     energy: float
+    softening: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,91 +57,45 @@ class NoEquilibrium(Exception):
         super().__init__(failure.ending.value)
 
 
-@dataclass(slots=True)
-class _Path:
-    """One problem on its way through the steps."""
-
-    problem: Problem
-    limits: Limits
-    q: Array
-    internal: Array
-    increment: Array | None = None
-    energy: float = 0.0
-    scale: Scale = NO_SCALE
-
-    def advance(self, before: Array, after: Array) -> tuple[Outcome, float, float, Work]:
-        """Go from factors `before` to `after`; outcome, part reached, smallest part, work."""
-        work = Work()
-        reached, part, smallest = 0.0, 1.0, 1.0
-        guess = self.increment
-        while True:
-            target = min(reached + part, 1.0)
-            factors = before + target * (after - before)
-            outcome = self._solve(factors, guess)
-            work.iterations += outcome.work.iterations
-            work.evaluations += outcome.work.evaluations
-            guess = None
-            if outcome.ending is Ending.CONVERGED:
-                self._accept(outcome)
-                reached = target
-                if reached == 1.0:
-                    return outcome, 1.0, smallest, work
-            elif part <= 2.0**-_HALVINGS:
-                return outcome, reached, part, work
-            else:
-                part *= 0.5
-                smallest = min(smallest, part)
-
-    def _solve(self, factors: Array, guess: Array | None) -> Outcome:
-        system = self.problem.system
-        start = self.q + guess if guess is not None else self.q.copy()
-        start[system.held] = self.problem.prescribed(factors)[system.held]
-        return newton(system, start, self.problem.load(factors), self.limits, self.scale)
-
-    def _accept(self, outcome: Outcome) -> None:
-        move = outcome.q - self.q
-        self.energy += 0.5 * float((outcome.internal + self.internal) @ move)
-        self.q, self.internal, self.increment = outcome.q, outcome.internal, move
-        self.scale = Scale(
-            max(self.scale.force, largest(outcome.internal)),
-            max(self.scale.unknown, largest(outcome.q)),
-        )
-
-
 def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
     """Yield the state of every step, step 0 without load first.
 
     factors: shape (steps, names), those of steps 1 to n. Raises NoEquilibrium, after the states
     that were found, where a step fails even in parts of 1/1024.
     """
-    paths = [
-        _Path(p, limits, np.zeros(p.system.size), np.zeros(p.system.size))
+    lateral, axial = tracks = [
+        Track(p, limits, np.zeros(p.system.size), np.zeros(p.system.size))
         for p in (model.lateral, model.axial)
     ]
     before = np.zeros(factors.shape[1])
     alike = same_increment(factors)
-    state = State(0, before, paths[0].q, paths[1].q, 0, 0, 0.0, 1.0, 0.0)
-    yield state
+    yield State(0, before, lateral.q, axial.q, 0, 0, 0.0, 1.0, 0.0)
     for step, after in enumerate(factors, start=1):
         if not alike[step - 1]:
-            for path in paths:
-                path.increment = None
+            for track in tracks:
+                track.increment = None
         iterations, evaluations, residual, size = 0, 0, 0.0, 1.0
-        for path in paths:
-            outcome, reached, smallest, work = path.advance(before, after)
-            if outcome.ending is not Ending.CONVERGED:
-                at = before + reached * (after - before)
-                which: Literal["lateral", "axial"] = "lateral" if path is paths[0] else "axial"
-                found = (paths[0].q, paths[1].q)
-                raise NoEquilibrium(Failure(step, reached, at, which, outcome.ending, *found))
-            iterations += work.iterations
-            evaluations += work.evaluations
-            residual, size = max(residual, outcome.residual), min(size, smallest)
-        energy = paths[0].energy + paths[1].energy
-        state = State(
-            step, after, paths[0].q, paths[1].q, iterations, evaluations, residual, size, energy
-        )
-        yield state
+        # a spudcan softens under its vertical load: stretch comes before deflection
+        for track in (axial, lateral):
+            if track is lateral and model.footing is not None:
+                load = model.footing.vertical(axial.problem.system, axial.q)
+                made = advance_yielding(track, model.footing, load, before, after)
+            else:
+                made = track.advance(before, after)
+            if made.outcome.ending is not Ending.CONVERGED:
+                at = before + made.reached * (after - before)
+                which: Literal["lateral", "axial"] = "lateral" if track is lateral else "axial"
+                ending = made.outcome.ending
+                raise NoEquilibrium(
+                    Failure(step, made.reached, at, which, ending, lateral.q, axial.q)
+                )
+            iterations += made.work.iterations
+            evaluations += made.work.evaluations
+            residual, size = max(residual, made.outcome.residual), min(size, made.smallest)
+        energy = lateral.energy + axial.energy
+        spent = (iterations, evaluations, residual, size, energy)
+        kept = lateral.problem.system.softening
+        yield State(step, after, lateral.q, axial.q, *spent, kept)
         before = after
 
 

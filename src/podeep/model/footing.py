@@ -1,0 +1,58 @@
+"""A spudcan under a tip: three springs, and a surface that its loads stay within."""
+
+from dataclasses import dataclass
+from math import hypot
+
+import numpy as np
+
+from ..arrays import Array
+from ..scene import Spudcan
+from ..soil.spudcan import Stiffness, YieldSurface, elastic_stiffness
+from .system import System
+
+
+@dataclass(frozen=True)
+class Footing:
+    """stiffness: elastic, N/m and N m/rad. surface: None where the spudcan stays elastic."""
+
+    stiffness: Stiffness
+    surface: YieldSurface | None
+
+    def vertical(self, axial: System, q: Array) -> float:
+        """Vertical load on the spudcan, positive down, N."""
+        settlement = axial.field.interpolation(axial.field.edges[-1:]) @ q
+        return float(self.stiffness.vertical * settlement[0])
+
+    def across(self, lateral: System, q: Array) -> tuple[float, float]:
+        """Horizontal load (N) and moment (N m) on the spudcan, magnitudes."""
+        tip, unknowns = lateral.field.edges[-1:], q.reshape(-1, lateral.components)
+        shift, turn = (hypot(*(lateral.field.interpolation(tip, d) @ unknowns)[0]) for d in (0, 1))
+        moment = self.stiffness.rotational * lateral.softening * turn
+        return float(self.stiffness.horizontal * shift), float(moment)
+
+
+def footing(spudcan: Spudcan) -> Footing:
+    """The springs and the yield surface of a spudcan. Raises InvalidData as its formulas do."""
+    factors = (spudcan.vertical_factor, spudcan.horizontal_factor, spudcan.rotational_factor)
+    stiffness = elastic_stiffness(
+        spudcan.shear_modulus, spudcan.poisson_ratio, 0.5 * spudcan.diameter, factors
+    )
+    return Footing(Stiffness(*(np.asarray(k) for k in stiffness)), yield_surface(spudcan))
+
+
+def yield_surface(spudcan: Spudcan) -> YieldSurface | None:
+    """The surface that a preload sets; None without one."""
+    preload = spudcan.preload
+    if preload is None:
+        return None
+    if spudcan.soil == "SAND":
+        return YieldSurface.for_sand(preload, spudcan.diameter)
+    strength = spudcan.undrained_shear_strength or 0.0
+    return YieldSurface.for_clay(
+        preload,
+        spudcan.diameter,
+        strength,
+        strength if spudcan.tip_shear_strength is None else spudcan.tip_shear_strength,
+        spudcan.lateral_area,
+        spudcan.embedment,
+    )
