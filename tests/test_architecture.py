@@ -16,7 +16,7 @@ deck.py_keyword deck.tz_keyword deck.structure_keywords deck.action_keywords
 deck.analysis_keywords deck.keywords deck.cells deck.registry deck.curves deck.ground deck.structure deck.actions
 deck.paragraphs deck.read
 soil.law soil.backbone soil.soft_clay soil.sand soil.lateral soil.axial
-soil.layers soil.surroundings soil.reaction soil.profile soil.curves soil.lateral_capacity
+soil.layering soil.layers soil.surroundings soil.kinds soil.equivalent soil.reaction soil.profile soil.curves soil.lateral_capacity
 soil.spudcan
 beam.__init__ beam.shapes beam.field beam.band
 model.__init__ model.needs model.mesh model.system model.footing model.assemble model.recover

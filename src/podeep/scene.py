@@ -15,6 +15,8 @@ from .errors import InvalidData
 Dof = Literal["X", "Y", "Z", "RX", "RY", "RZ"]
 DOFS: tuple[Dof, ...] = ("X", "Y", "Z", "RX", "RY", "RZ")
 Interpolation = Literal["PARAMETERS", "LOADS"]
+Layering = Literal["NONE", "GEORGIADIS"]
+Overburden = Literal["OWN", "ACTUAL"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +134,8 @@ class Ground:
     """The soil profile: curves at depths below the mudline, positive down, from 0.
 
     A depth given twice is a jump; curve id 0 is no reaction. `friction_stiffness` is the slope
-    of unit friction against displacement, Pa/m. `dynamic_rule` is the original's IDRE.
+    of unit friction against displacement, Pa/m. `dynamic_rule` is the original's IDRE. `layering`
+    is by equivalent depth, with the overburden of the layer's own soil or the actual one.
     """
 
     depths: tuple[float, ...]
@@ -143,6 +146,8 @@ class Ground:
     friction_stiffness: float = 1e8
     dynamic_rule: int = 0
     interpolation: Interpolation = "PARAMETERS"
+    layering: Layering = "NONE"
+    layering_overburden: Overburden = "OWN"
 
     def __post_init__(self) -> None:
         if not self.depths or self.depths[0] != 0.0:
@@ -161,6 +166,12 @@ class Ground:
                     "a jump between two layers is one depth given twice",
                     "Z",
                 )
+        if self.layering != "NONE" and self.interpolation == "LOADS":
+            raise InvalidData(
+                "layering by equivalent depth does not go with loads that vary between depths",
+                "leave out LOADS or LAYERING",
+                "LAYERING",
+            )
         if not len(self.depths) == len(self.lateral) == len(self.axial):
             raise InvalidData(
                 f"{len(self.depths)} soil depths, {len(self.lateral)} p-y and "

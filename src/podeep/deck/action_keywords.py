@@ -18,7 +18,8 @@ def _soil(
     name: str, meaning: str, unit: str, key: str, default: float | str | None = None
 ) -> Column:
     """What is known of a spudcan's soil: with a number as default, or in words what stands in."""
-    bounds = Bounds(0.0, open=True) if name != "AS" else Bounds(0.0)
+    special = {"AS": Bounds(0.0), "OCR": Bounds(1.0), "DR": Bounds(0.0, 100.0, open=True)}
+    bounds = special.get(name, POSITIVE)
     if isinstance(default, float):
         return Column(name, meaning, unit, bounds, key, named=True, default=default)
     return Column(name, meaning, unit, bounds, key, named=True, otherwise=default or "unknown")
@@ -92,9 +93,9 @@ SPUDCAN = Keyword(
         ),
     ),
     "*SPUDCAN\n1 14 3 40e6 0.5 120e6 SOIL=CLAY SU=60e3 AS=30",
-    "By ISO 19905-1. Springs hold the tip: vertical, horizontal, rotational. The factors for embedment of ISO "
-    "19905-1 are not public: 1 is their lower bound. Under a preload the rotational spring "
-    "softens as the loads near the yield surface.",
+    "By ISO 19905-1. Springs hold the tip: vertical, horizontal, rotational. The standard's "
+    "factors KD for embedment are not public: 1 is their lower bound. Under a preload the "
+    "rotational spring softens as the loads near the yield surface.",
 )
 
 LOAD = Keyword(

@@ -1,8 +1,9 @@
 """The paragraphs of the ground: *GROUNDEPTH and *GROUNDPROP, with the curves they call."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from types import MappingProxyType
+from typing import Any
 
 from ..scene import Curve, Ground, Interpolation
 from .cells import Values, after, no_data, option_fields, read_row
@@ -21,17 +22,18 @@ class Depths:
     values: tuple[float, ...]
     interpolation: Interpolation
     sound: bool
+    layering: Mapping[str, Any] = field(default_factory=dict)
 
 
 def read_depths(paragraph: Paragraph, faults: Faults) -> Depths:
     """The depths; those at fault are told, and still count for *GROUNDPROP."""
     before, row = len(faults.found), _DEPTHS.rows[0]
-    _, flags = option_fields(paragraph, _DEPTHS, row, faults)
+    options, flags = option_fields(paragraph, _DEPTHS, row, faults)
     fields = [f for line in paragraph.lines for f in line]
     if not fields:
         no_data(paragraph, row, faults)
         return Depths((), "PARAMETERS", False)
-    read = read_row(fields, row, _DEPTHS, paragraph.place, faults)
+    read = read_row([*fields, *options], row, _DEPTHS, paragraph.place, faults)
     given = [cells.get("Z") for cells in read.group]
     depths = tuple(0.0 - (z or 0.0) for z in given)
     if len(faults.found) == before:
@@ -40,7 +42,13 @@ def read_depths(paragraph: Paragraph, faults: Faults) -> Depths:
             index, problem = bad
             faults.add(read.group_places[index]["Z"], problem.message, problem.remedy)
     interpolation: Interpolation = "LOADS" if "LOADS" in flags else "PARAMETERS"
-    return Depths(depths, interpolation, len(faults.found) == before)
+    layering = read.arguments(row.columns)
+    faults.guarded(
+        lambda: Ground((0.0,), (0,), (0,), {}, {}, interpolation=interpolation, **layering),
+        read.places,
+        paragraph.place,
+    )
+    return Depths(depths, interpolation, len(faults.found) == before, layering)
 
 
 def read_ground(
@@ -72,6 +80,7 @@ def read_ground(
             read.cells["IKTSO"],
             read.cells["IDRE"],
             depths.interpolation,
+            **depths.layering,
         ),
         read.places,
         paragraph.place,

@@ -12,6 +12,24 @@ GROUNDEPTH = Keyword(
                 Column(
                     "LOADS", "loads vary between depths, not parameters", kind="flag", named=True
                 ),
+                Column(
+                    "LAYERING",
+                    "layers by equivalent depth",
+                    key="layering",
+                    kind="word",
+                    choices=("NONE", "GEORGIADIS"),
+                    named=True,
+                    default="NONE",
+                ),
+                Column(
+                    "OVERBURDEN",
+                    "in an equivalent depth: of the layer's own soil, or the actual one",
+                    key="layering_overburden",
+                    kind="word",
+                    choices=("OWN", "ACTUAL"),
+                    named=True,
+                    default="OWN",
+                ),
             ),
             (
                 Column(
@@ -26,12 +44,13 @@ GROUNDEPTH = Keyword(
     "*GROUNDEPTH\n0 -9 -9 -24",
     "Between two depths whose curves are of one predefined type, parameters vary linearly and the "
     "law is evaluated at the true depth; otherwise, and with *GROUNDEPTH, LOADS, loads vary "
-    "linearly.",
+    "linearly. With LAYERING=GEORGIADIS the law is evaluated at the equivalent depth, at which a "
+    "layer's own soil would resist as much in all as the layers above it do; k z keeps the actual "
+    "depth. Rock, ISO's clay, PISA and user curves keep theirs.",
     aliases=("GROUNDDEPTH",),
     once=True,
     required=True,
     optioned=True,
-    planned=("LAYERING",),
 )
 
 GROUNDPROP = Keyword(

@@ -45,3 +45,12 @@ class Law(ABC):
     def stiffness(self, u: Array) -> Array:
         """Derivative of the reaction at `u`."""
         return self.evaluate(u)[1]
+
+
+class LayeredLaw(Law):
+    """A p-y law whose resistance grows with depth: soil above it counts by an equivalent depth."""
+
+    @property
+    @abstractmethod
+    def ultimate_resistance(self) -> Array:
+        """Static pu with its multiplier, before factors that a chart gives, N/m, shape (n,)."""

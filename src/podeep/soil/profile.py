@@ -1,8 +1,7 @@
 """The soil profile: which laws act at which depth, and with which parameters."""
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, fields
-from math import pi
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
@@ -11,9 +10,22 @@ import numpy as np
 from ..arrays import Array, Index
 from ..errors import Fault, InvalidData, UserError
 from ..scene import Curve, Foundation, Ground, Scene
-from . import axial, lateral
+from . import lateral
 from .backbone import user_law
-from .law import Law
+from .equivalent import EquivalentDepths
+from .kinds import (
+    BASE_MOMENT,
+    BASE_SHEAR,
+    LATERAL,
+    MOMENT,
+    SHAFT,
+    SIDES,
+    TIP,
+    Kind,
+    made,
+    taken,
+)
+from .law import Law, LayeredLaw
 from .layers import Layers
 from .reaction import Reaction, Term
 from .surroundings import WEIGHT, Family, Surroundings
@@ -22,46 +34,13 @@ from .surroundings import WEIGHT, Family, Surroundings
 _OTHER_OPTIONS = frozenset({"plug"})
 
 
-@dataclass(frozen=True, slots=True)
-class _Kind:
-    """A kind of reaction: its curves, the laws that have it, and what user rows mean for it."""
-
-    family: Family
-    laws: Mapping[str, type[Law]]
-    columns: slice | None = None  # of a user's row: reaction and displacement; None: none
-    width: Callable[[Array], Array] = np.asarray  # what a pressure acts on, from the diameter
-    compression_only: bool = False
-
-
-def _side(laws: Mapping[str, Any], side: str) -> dict[str, type[Law]]:
-    """The laws of one side, by name, of those that have it."""
-    return {n: getattr(of, side) for n, of in laws.items() if getattr(of, side) is not None}
-
-
-_ROWS, _TIP_ROWS = slice(0, 2), slice(2, 4)
-_LATERAL = _Kind("p-y", _side(lateral.LAWS, "resistance"), _ROWS)
-_MOMENT = _Kind("p-y", _side(lateral.LAWS, "moment"))
-_BASE_SHEAR = _Kind("p-y", _side(lateral.LAWS, "base_shear"))
-_BASE_MOMENT = _Kind("p-y", _side(lateral.LAWS, "base_moment"))
-_SHAFT = _Kind("t-z", _side(axial.LAWS, "shaft"), _ROWS, lambda diameter: pi * diameter)
-_TIP = _Kind(
-    "t-z",
-    _side(axial.LAWS, "tip"),
-    _TIP_ROWS,
-    lambda diameter: 0.25 * pi * diameter**2,
-    compression_only=True,
-)
-_ALL: Mapping[Family, Mapping[str, Any]] = MappingProxyType(
-    {"p-y": lateral.LAWS, "t-z": axial.LAWS}
-)
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class _Piece:
     """Points of one layer under one law, before they join those of other layers."""
 
     curve: Curve
     ids: tuple[int, ...]
+    layer: int
     at: Index
     weight: Array
     depth: Array
@@ -83,6 +62,7 @@ class Profile:
         self, ground: Ground, embedded_length: float | None = None, axial: bool = True
     ) -> None:
         self.ground, self._axial = ground, axial
+        self._equivalent: EquivalentDepths | None = None
         self._layers = Layers(ground.depths)
         self.boundaries = self._layers.boundaries
         self._curves: Mapping[Family, tuple[Curve | None, ...]] = MappingProxyType(
@@ -91,7 +71,17 @@ class Profile:
                 "t-z": tuple(ground.axial_curves[i] if i else None for i in ground.axial),
             }
         )
-        self._around = Surroundings(ground, self._layers, self._curves, embedded_length)
+        around = Surroundings(ground, self._layers, self._curves, embedded_length)
+        self._around, self._length = around, embedded_length
+        if ground.layering == "GEORGIADIS":
+            self._equivalent = EquivalentDepths(
+                ground,
+                self._layers,
+                self._curves["p-y"],
+                self._layered,
+                self._bare,
+                around,
+            )
 
     def layer(self, depth: Array) -> Index:
         """Index of the layer of each depth, from 0; a boundary belongs to the layer above it."""
@@ -99,30 +89,30 @@ class Profile:
 
     def lateral(self, depth: Array, diameter: Array) -> Reaction:
         """p-y of points along a tube, depth and diameter (n,); N/m."""
-        return self._reaction(_LATERAL, depth, diameter)
+        return self._reaction(LATERAL, depth, diameter)
 
     def moment(self, depth: Array, diameter: Array) -> Reaction:
         """Moment against rotation of points along a tube, depth and diameter (n,); N m/m."""
-        return self._reaction(_MOMENT, depth, diameter)
+        return self._reaction(MOMENT, depth, diameter)
 
     def base(self, depth: float, diameter: float) -> tuple[Reaction, Reaction]:
         """Shear (N) against displacement and moment (N m) against rotation of a tip, one point."""
         at, width = np.array([depth]), np.array([diameter])
-        return self._reaction(_BASE_SHEAR, at, width), self._reaction(_BASE_MOMENT, at, width)
+        return self._reaction(BASE_SHEAR, at, width), self._reaction(BASE_MOMENT, at, width)
 
     def shaft(self, depth: Array, diameter: Array) -> Reaction:
         """t-z of points along a tube, depth and diameter (n,); N/m."""
-        return self._reaction(_SHAFT, depth, diameter)
+        return self._reaction(SHAFT, depth, diameter)
 
     def tip(self, depth: float, diameter: float) -> Reaction:
         """Q-z of a tip, one point; N. At a boundary it rests in the layer above."""
-        return self._reaction(_TIP, np.array([depth]), np.array([diameter]))
+        return self._reaction(TIP, np.array([depth]), np.array([diameter]))
 
     def effective_overburden(self, depth: Array, family: Family = "p-y") -> Array:
         """s'v (Pa) at each depth, as `Surroundings.effective_overburden`."""
         return self._around.effective_overburden(np.asarray(depth, dtype=float), family)
 
-    def _reaction(self, kind: _Kind, depth: Array, diameter: Array) -> Reaction:
+    def _reaction(self, kind: Kind, depth: Array, diameter: Array) -> Reaction:
         depth, diameter = np.asarray(depth, dtype=float), np.asarray(diameter, dtype=float)
         if (depth < 0.0).any():
             raise ValueError("a soil reaction is asked for above the mudline")
@@ -152,7 +142,7 @@ class Profile:
                 for name, value in upper.parameters.items()
             }
             ids = tuple(dict.fromkeys((upper.id, lower.id)))
-            piece = _Piece(upper, ids, at, np.ones(len(at)), depth, parameters)
+            piece = _Piece(upper, ids, layer, at, np.ones(len(at)), depth, parameters)
             yield (0, *_type_of(upper)), piece
             return
         for side, curve, weight, end in (
@@ -163,7 +153,7 @@ class Profile:
             if curve is not None and len(keep):
                 full = {name: np.full(len(keep), value) for name, value in curve.parameters.items()}
                 where = np.full(len(keep), end)
-                piece = _Piece(curve, (curve.id,), at[keep], weight[keep], where, full)
+                piece = _Piece(curve, (curve.id,), layer, at[keep], weight[keep], where, full)
                 yield (side, *_type_of(curve)), piece
 
     def _joined(self, upper: Curve, lower: Curve, last: bool) -> bool:
@@ -173,20 +163,21 @@ class Profile:
         by_parameters = self.ground.interpolation == "PARAMETERS" and not upper.rows
         return by_parameters and _type_of(upper) == _type_of(lower)
 
-    def _term(self, kind: _Kind, pieces: list[_Piece], diameter: Array) -> Term | None:
+    def _term(self, kind: Kind, pieces: list[_Piece], diameter: Array) -> Term | None:
         """The pieces of one law as one vectorised law; None if there is no reaction."""
         at = np.concatenate([piece.at for piece in pieces])
         order = np.argsort(at)
         at, curve = at[order], pieces[0].curve
         depth = np.concatenate([piece.depth for piece in pieces])[order]
         weight = np.concatenate([piece.weight for piece in pieces])[order]
+        layer = np.concatenate([np.full(len(piece.at), piece.layer) for piece in pieces])[order]
         parameters = {
             name: np.concatenate([piece.parameters[name] for piece in pieces])[order]
             for name in curve.parameters
         }
         ids = tuple(dict.fromkeys(i for piece in pieces for i in piece.ids))
         try:
-            law = self._law(kind, curve, depth, diameter[at], parameters)
+            law = self._law(kind, curve, layer, depth, diameter[at], parameters)
         except InvalidData as fault:
             where = f"{kind.family} curve {', '.join(map(str, ids))}"
             raise UserError(Fault(f"{where}: {fault.message}", fault.remedy)) from fault
@@ -196,7 +187,13 @@ class Profile:
         return Term(at, None if (weight == 1.0).all() else weight, law, name, ids)
 
     def _law(
-        self, kind: _Kind, curve: Curve, depth: Array, diameter: Array, parameters: dict[str, Array]
+        self,
+        kind: Kind,
+        curve: Curve,
+        layer: Index,
+        depth: Array,
+        diameter: Array,
+        parameters: dict[str, Array],
     ) -> Law | None:
         if curve.rows:
             if kind.columns is None:
@@ -209,16 +206,16 @@ class Profile:
                 options.get("multiplier", 1.0),
                 kind.compression_only,
             )
-        sides = _ALL[kind.family].get(curve.law)
+        sides = SIDES[kind.family].get(curve.law)
         if sides is None:
             raise InvalidData(
                 f"there is no {kind.family} law {curve.law!r} (without rows)",
-                f"the laws are {', '.join(_ALL[kind.family])}",
+                f"the laws are {', '.join(SIDES[kind.family])}",
                 "ITYP",
             )
         if curve.law not in kind.laws:
             return None
-        known = {f.name for side in sides if side for f in fields(side)} | {WEIGHT} | _OTHER_OPTIONS
+        known = set().union(*(taken(side) for side in sides if side)) | {WEIGHT} | _OTHER_OPTIONS
         given: dict[str, Any] = {
             "depth": depth,
             "diameter": diameter,
@@ -232,12 +229,28 @@ class Profile:
                 f"it takes {', '.join(sorted(known))}",
             )
         law = kind.laws[curve.law]
-        taken = {field.name for field in fields(law)}  # type: ignore[arg-type]  # as above
-        for name in taken - given.keys():
+        if self._equivalent is not None and kind is LATERAL and issubclass(law, LayeredLaw):
+            given |= self._equivalent.given(layer, depth, diameter, parameters)
+        for name in taken(law) - given.keys():
             around = self._around.values(name, kind.family, depth, diameter)
             if around is not None:
                 given[name] = around
-        return law(**{name: value for name, value in given.items() if name in taken})
+        return made(law, given)
+
+    def _layered(self, curve: Curve, given: dict[str, Any]) -> LayeredLaw | None:
+        """The p-y law of a curve, if soil above it counts by an equivalent depth."""
+        sides = lateral.LAWS.get(curve.law)
+        if curve.rows or sides is None or not issubclass(sides.resistance, LayeredLaw):
+            return None
+        return made(sides.resistance, given)
+
+    def _bare(self, depth: Array, diameter: Array) -> Array:
+        """Largest |p| without equivalent depths, (n,): for the curves that have none."""
+        return (
+            Profile(replace(self.ground, layering="NONE"), self._length)
+            .lateral(depth, diameter)
+            .capacity
+        )
 
 
 def profile_of(scene: Scene, foundation: Foundation, axial: bool | None = None) -> Profile:

@@ -10,11 +10,11 @@ import numpy as np
 
 from ..arrays import Array
 from .backbone import Values
-from .law import Law
+from .law import LayeredLaw
 
 
 @dataclass(frozen=True, eq=False)
-class Sand(Law):
+class Sand(LayeredLaw):
     """Sand of API (O'Neill and Murchison).
 
         pu = min( (C1 X + C2 D) s'v , C3 D s'v )
@@ -25,7 +25,8 @@ class Sand(Law):
 
     depth X (m), diameter D (m), effective_overburden s'v (Pa; integral over the layers above),
     friction_angle phi (rad), subgrade_modulus k (N/m3; None: `default_subgrade_modulus`),
-    multiplier (-, on p at the same y, group effects). p in N/m.
+    multiplier (-, on p at the same y, group effects), stiffness_depth (m, in k X alone where layers
+    make X an equivalent depth; None: X). p in N/m.
 
     Range: clean siliceous sand, phi 20 to 40 degrees, slender piles up to about 2 m.
     Source: API RP 2GEO 8.5.6-8.5.7, API RP 2A-WSD 6.8.6-6.8.7.
@@ -40,6 +41,7 @@ class Sand(Law):
     subgrade_modulus: Values | None = None
     multiplier: Values = 1.0
     cyclic: bool = False
+    stiffness_depth: Values | None = None
 
     @cached_property
     def ultimate_resistance(self) -> Array:
@@ -61,7 +63,8 @@ class Sand(Law):
         peak = self._A * self.ultimate_resistance
         modulus = self.subgrade_modulus
         k = default_subgrade_modulus(self.friction_angle) if modulus is None else modulus
-        initial = np.asarray(self.multiplier * k * self.depth * (peak > 0.0))
+        z = self.depth if self.stiffness_depth is None else self.stiffness_depth
+        initial = np.asarray(self.multiplier * k * z * (peak > 0.0))
         rate = np.divide(initial, peak, out=np.zeros_like(peak), where=peak > 0.0)
         return peak, initial, rate
 

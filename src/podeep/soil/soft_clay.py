@@ -11,7 +11,7 @@ import numpy as np
 from ..arrays import Array
 from ..errors import InvalidData
 from .backbone import Points, Polyline, Values
-from .law import Law
+from .law import LayeredLaw
 
 _TOE = 1e-6  # y/y50 that rounds off the cube root's infinite slope
 _CORNER, _END = 3.0, 15.0  # y/y50 between which cyclic resistance falls
@@ -62,7 +62,7 @@ class _CubeRoot:
 
 
 @dataclass(frozen=True, eq=False)
-class SoftClay(Law):
+class SoftClay(LayeredLaw):
     """Soft clay of Matlock and API.
 
         pu = min( (3 su + s'v) D + J su X , 9 su D )

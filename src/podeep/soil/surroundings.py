@@ -81,6 +81,16 @@ class Surroundings:
             )
         )
 
+    @property
+    def weight(self) -> Spread:
+        """Unit weight that the p-y laws feel, N/m3."""
+        return self._weights["p-y"]
+
+    @property
+    def strength(self) -> Spread:
+        """Undrained shear strength, Pa; NaN where there is no clay."""
+        return self._strength
+
     def mean_strength(self, depth: Array) -> Array:
         """Mean undrained shear strength from the mudline to each depth, over the clay in it, Pa."""
         known, clay = self._strength.whole, self._strength.presence.integral(depth)

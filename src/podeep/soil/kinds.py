@@ -1,0 +1,62 @@
+"""Kinds of soil reaction: the laws that have them, and laws made of what is known by name."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields
+from math import pi
+from types import MappingProxyType
+from typing import Any, TypeVar
+
+import numpy as np
+
+from ..arrays import Array
+from . import axial, lateral
+from .law import Law
+from .surroundings import Family
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """A kind of reaction: its curves, the laws that have it, and what user rows mean for it."""
+
+    family: Family
+    laws: Mapping[str, type[Law]]
+    columns: slice | None = None  # of a user's row: reaction and displacement; None: none
+    width: Callable[[Array], Array] = np.asarray  # what a pressure acts on, from the diameter
+    compression_only: bool = False
+
+
+def _side(laws: Mapping[str, Any], side: str) -> dict[str, type[Law]]:
+    """The laws of one side, by name, of those that have it."""
+    return {n: getattr(of, side) for n, of in laws.items() if getattr(of, side) is not None}
+
+
+_ROWS, _TIP_ROWS = slice(0, 2), slice(2, 4)
+LATERAL = Kind("p-y", _side(lateral.LAWS, "resistance"), _ROWS)
+MOMENT = Kind("p-y", _side(lateral.LAWS, "moment"))
+BASE_SHEAR = Kind("p-y", _side(lateral.LAWS, "base_shear"))
+BASE_MOMENT = Kind("p-y", _side(lateral.LAWS, "base_moment"))
+SHAFT = Kind("t-z", _side(axial.LAWS, "shaft"), _ROWS, lambda diameter: pi * diameter)
+TIP = Kind(
+    "t-z",
+    _side(axial.LAWS, "tip"),
+    _TIP_ROWS,
+    lambda diameter: 0.25 * pi * diameter**2,
+    compression_only=True,
+)
+#: What each curve describes, by family and law.
+SIDES: Mapping[Family, Mapping[str, Any]] = MappingProxyType(
+    {"p-y": lateral.LAWS, "t-z": axial.LAWS}
+)
+
+_L = TypeVar("_L", bound=Law)
+
+
+def taken(law: type[Law]) -> set[str]:
+    """Names of the fields of a law."""
+    return {field.name for field in fields(law)}  # type: ignore[arg-type]  # laws are dataclasses
+
+
+def made(law: type[_L], given: Mapping[str, Any]) -> _L:
+    """A law of what it takes out of all that is given."""
+    wanted = taken(law)
+    return law(**{name: value for name, value in given.items() if name in wanted})
