@@ -17,7 +17,7 @@ deck.analysis_keywords deck.keywords deck.cells deck.registry deck.curves deck.g
 deck.paragraphs deck.read
 soil.law soil.backbone soil.soft_clay soil.sand soil.lateral soil.axial
 soil.layering soil.layers soil.surroundings soil.kinds soil.equivalent soil.reaction soil.profile soil.curves soil.lateral_capacity
-soil.spudcan
+soil.axial_capacity soil.required_length soil.spudcan
 beam.__init__ beam.shapes beam.field beam.band
 model.__init__ model.needs model.mesh model.system model.footing model.assemble model.recover
 model.results model.grid

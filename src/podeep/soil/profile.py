@@ -104,9 +104,9 @@ class Profile:
         """t-z of points along a tube, depth and diameter (n,); N/m."""
         return self._reaction(SHAFT, depth, diameter)
 
-    def tip(self, depth: float, diameter: float) -> Reaction:
-        """Q-z of a tip, one point; N. At a boundary it rests in the layer above."""
-        return self._reaction(TIP, np.array([depth]), np.array([diameter]))
+    def tip(self, depth: float | Array, diameter: float | Array) -> Reaction:
+        """Q-z of tips, one or (n,); N. At a boundary a tip rests in the layer above."""
+        return self._reaction(TIP, np.atleast_1d(depth), np.atleast_1d(diameter))
 
     def effective_overburden(self, depth: Array, family: Family = "p-y") -> Array:
         """s'v (Pa) at each depth, as `Surroundings.effective_overburden`."""
