@@ -27,6 +27,8 @@ def explain(solved: Solved, failure: Failure, names: tuple[str, ...]) -> str:
 
 def advice(solved: Solved, failure: Failure) -> list[str]:
     """What is mobilised at the last equilibrium that was found, and the likely remedy."""
+    if failure.ending is Ending.YIELDED:
+        return spudcan_loads(solved, failure)
     system = getattr(solved.model, failure.which).system
     u = system.displacement(getattr(failure, failure.which))
     distance = u[:, 0] if system.components == 1 else np.hypot(u[:, 0], u[:, 1])
@@ -45,6 +47,23 @@ def advice(solved: Solved, failure: Failure) -> list[str]:
     else:
         remedy = "a longer or wider tube, a smaller lateral load, or a lateral *SUPPORT"
     return [*lines, f"remedy: {remedy}"]
+
+
+def spudcan_loads(solved: Solved, failure: Failure) -> list[str]:
+    """Loads on the spudcan at the last equilibrium, and what it can carry of each alone."""
+    model, kept = solved.model, solved.states[-1].softening
+    under = model.footing
+    assert under is not None
+    assert under.surface is not None
+    V = under.vertical(model.axial.system, failure.axial)
+    H, M = under.across(model.lateral.system.softened(kept), failure.lateral)
+    surface = under.surface
+    return [
+        f"there it carries V {V:.4g} N, H {H:.4g} N, M {M:.4g} N m",
+        f"of QV {surface.vertical_capacity:.4g} N, QH {surface.horizontal_capacity:.4g} N, "
+        f"QM {surface.moment_capacity:.4g} N m",
+        "remedy: a larger spudcan or preload, or smaller loads",
+    ]
 
 
 def axial_capacity(solved: Solved, tension: bool) -> str:
