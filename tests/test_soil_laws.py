@@ -7,7 +7,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from podeep.soil import axial, lateral, sand, soft_clay
+from podeep.soil import (
+    axial,
+    iso_clay,
+    lateral,
+    pisa,
+    reese_sand,
+    sand,
+    soft_clay,
+    stiff_clay,
+    weak_rock,
+)
 from podeep.soil.backbone import SignedUserCurve, UserCurve
 
 POINTS = 3
@@ -35,15 +45,40 @@ RANGES = {
     "tip_pressure": (0.0, 2e7),
     "force_scale": (0.1, 20.0),
     "displacement_scale": (0.1, 6.0),
+    "mean_undrained_shear_strength": (0.0, 4e5),
+    "cycles": (1.0, 1e6),
+    "depth_in_rock": (0.0, 60.0),
+    "compressive_strength": (0.0, 2e7),
+    "rock_mass_modulus": (1e7, 2e10),
+    "rock_quality_designation": (0.0, 1.0),
+    "strain_rm": (5e-5, 5e-4),
+    "mudline_strength": (0.0, 1e5),
+    "strength_gradient": (0.0, 5e3),
+    "adhesion": (0.0, 1.0),
+    "overconsolidation_ratio": (1.0, 20.0),
+    "embedded_length": (3.0, 90.0),
+    "initial_shear_modulus": (1e6, 5e8),
+    "relative_density": (0.2, 1.0),
 }
 SOFTENING = ((1e4, 0.002), (3e4, 0.01), (2e4, 0.3))
 SIGNED = ((-2e4, -0.1), (-3e4, -0.02), (1e4, 0.005), (3e4, 0.01))
 
+#: fields that a case gives, or that have a default
+OPTIONS = set("cyclic shape residual method stiffness_depth plasticity no_gap site".split())
+OPTIONS.add("strength_ratio")
 SHAPES = ("EP", "API", "2GEO")
 CASES = [
     *((soft_clay.SoftClay, {"shape": s, "cyclic": False}) for s in ("2GEO", "WSD", "POWER")),
     *((soft_clay.SoftClay, {"shape": s, "cyclic": True}) for s in ("2GEO", "WSD", "POWER")),
     *((sand.Sand, {"cyclic": c}) for c in (False, True)),
+    *((stiff_clay.StiffClayFreeWater, {"cyclic": c}) for c in (False, True)),
+    *((stiff_clay.StiffClay, {"cyclic": c}) for c in (False, True)),
+    (weak_rock.WeakRock, {}),
+    *((reese_sand.ReeseSand, {"cyclic": c}) for c in (False, True)),
+    *((iso_clay.IsoClay, {"plasticity": p, "no_gap": n}) for p in ("HIGH", "LOW") for n in (0, 1)),
+    (iso_clay.IsoClay, {"strength_ratio": 0.9}),
+    *((law, {"site": s}) for law in lateral.LAWS["pisa_clay"] for s in ("COWDEN", "BOTHKENNAR")),
+    *((law, {}) for law in lateral.LAWS["pisa_sand"]),
     *((shaft, {"shape": s}) for shaft, _ in axial.LAWS.values() for s in SHAPES),
     *((tip, {"shape": s}) for _, tip in axial.LAWS.values() for s in SHAPES),
     (axial.CohesiveShaft, {"shape": "2GEO", "residual": 0.7}),
@@ -92,6 +127,7 @@ def one_point(law, i):
 def test_every_registered_law_is_tried():
     sides = (*lateral.LAWS.values(), *axial.LAWS.values())
     registered = {law for side in sides for law in side if law}
+    assert {f.name for law in registered for f in fields(law)} <= {*RANGES, *OPTIONS}
     assert registered <= {kind for kind, _ in CASES}
 
 
@@ -162,7 +198,7 @@ def test_forces_scale_with_the_multiplier_at_the_same_displacement(kind, options
         f.name: np.full(POINTS, np.mean(RANGES[f.name])) for f in fields(kind) if f.name in RANGES
     }
     if "multiplier" not in middle:
-        assert issubclass(kind, axial.Shaft | axial.Tip)
+        assert issubclass(kind, axial.Shaft | axial.Tip | pisa.Conic)
         return
     u = np.array([1e-4, 0.03, 2.0])
     full, half = (kind(**{**middle, "multiplier": m}, **options).evaluate(u) for m in (1.0, 0.5))

@@ -127,7 +127,7 @@ class EquivalentDepths:
             whole = {"diameter": width(z), **parameters, "multiplier": 1.0, **upper.options}
             law = self._make(upper, {**whole, **found})
             assert law is not None
-            return np.broadcast_to(law.ultimate_resistance, z.shape)
+            return np.broadcast_to(law.layering_resistance, z.shape)
 
         def on_top(equivalent: Array) -> Array:
             """Of the soil at the layer's top, as if it reached from the mudline."""

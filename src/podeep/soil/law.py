@@ -53,4 +53,9 @@ class LayeredLaw(Law):
     @property
     @abstractmethod
     def ultimate_resistance(self) -> Array:
-        """Static pu with its multiplier, before factors that a chart gives, N/m, shape (n,)."""
+        """pu with its multiplier, N/m, shape (n,)."""
+
+    @property
+    def layering_resistance(self) -> Array:
+        """What counts for the layers below: pu before factors that a chart gives, N/m, (n,)."""
+        return self.ultimate_resistance
