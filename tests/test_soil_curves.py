@@ -1,13 +1,21 @@
-"""Particular points of the laws: limits, kinks, refusals."""
+"""Particular points of the laws: limits, kinks, refusals; and the curves of a depth."""
+
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from podeep.cli.solve import main
 from podeep.errors import InvalidData
+from podeep.report import curves_report
+from podeep.scene import Curve, Ground
 from podeep.soil import axial
 from podeep.soil.backbone import SignedUserCurve, UserCurve, sorted_points, user_law
+from podeep.soil.curves import curves
+from podeep.soil.profile import Profile
 from podeep.soil.sand import Sand, default_subgrade_modulus
 from podeep.soil.soft_clay import SoftClay
+from podeep.units import parameter
 
 
 def clay(**given):
@@ -216,3 +224,122 @@ class TestAxial:
         }
         with pytest.raises(InvalidData, match=message):
             axial.CohesionlessShaft(**{**parameters, **given})
+
+
+PISA_CLAY = Curve(
+    1,
+    "pisa_clay",
+    {"undrained_shear_strength": 60e3, "initial_shear_modulus": 60e6, "effective_unit_weight": 8e3},
+    {"site": "COWDEN"},
+)
+PISA_SAND = Curve(
+    2,
+    "pisa_sand",
+    {"effective_unit_weight": 10e3, "relative_density": 0.75, "initial_shear_modulus": 100e6},
+)
+
+
+class TestTables:
+    """What `podeep-solve curves` shows of a depth."""
+
+    def profile(self, blend=False):
+        """PISA clay over PISA sand from 12 m on, or loads that go from one to the other."""
+        ids, depths = ((1, 2), (0.0, 24.0)) if blend else ((1, 1, 2, 2), (0.0, 12.0, 12.0, 40.0))
+        return Profile(Ground(depths, ids, (0,) * len(ids), {1: PISA_CLAY, 2: PISA_SAND}, {}), 30.0)
+
+    def monopile(self, depth, displacement=None, blend=False):
+        found = curves(self.profile(blend), depth, 8.0, displacement)
+        return {table.name: table for table in found}
+
+    def test_a_monopile_has_four_lateral_curves_in_their_units(self):
+        tables = self.monopile(5.0)
+        assert list(tables) == ["py", "mt", "hb", "mb"]
+        units = {n: (t.kind.unit, t.kind.displacement_unit) for n, t in tables.items()}
+        assert units == {
+            "py": ("N/m", "m"),
+            "mt": ("N m/m", "rad"),
+            "hb": ("N", "m"),
+            "mb": ("N m", "rad"),
+        }
+        assert tables["py"].displacement[-1] == pytest.approx(0.3 * 8.0)
+        assert tables["mt"].displacement[:3].tolist() == [0.0, 1e-5, 2e-5]
+        assert tables["mt"].displacement[-1] == tables["mb"].displacement[-1] == 0.3
+
+    def test_the_moment_of_clay_is_its_own(self):
+        """m = su D^2 (0.2899 - 0.04775 z/D) at large rotations, whatever p."""
+        table = self.monopile(5.0, np.array([0.0, 0.1]))["mt"]
+        assert not table.follows_lateral
+        exact = 60e3 * 64.0 * (0.2899 - 0.04775 * 5.0 / 8.0)
+        assert table.reaction.tolist() == pytest.approx([0.0, exact])
+        assert table.capacity == pytest.approx(exact)
+
+    def test_the_moment_of_sand_is_that_under_the_capacity_of_p_y(self):
+        """m = |p| D (0.2605 - 0.0475 z/L) at large rotations, in sand of 75 %."""
+        tables = self.monopile(20.0, np.array([0.0, 0.1]))
+        table = tables["mt"]
+        assert table.follows_lateral
+        yu = 0.2605 + (-0.1989 + 0.2019 * 0.75) * 20.0 / 30.0
+        exact = tables["py"].capacity * 8.0 * yu
+        assert table.lateral == tables["py"].capacity
+        assert table.reaction.tolist() == pytest.approx([0.0, exact])
+        assert table.capacity == pytest.approx(exact)
+
+    def test_moments_that_follow_p_and_others_add_up(self):
+        """Halfway between clay's and sand's loads, each by half."""
+        tables = self.monopile(12.0, np.array([0.0, 0.1]), blend=True)
+        own, following = (
+            next(t for t in tables["mt"].source.laws if t.law.follows_lateral is f)
+            for f in (False, True)
+        )
+        assert own.weight == following.weight == pytest.approx(0.5)
+        exact = 0.5 * own.law.capacity[0]
+        exact += 0.5 * following.law.capacity[0] * tables["py"].capacity
+        assert tables["mt"].capacity == pytest.approx(exact)
+        assert tables["mt"].reaction[-1] == pytest.approx(exact)
+
+    def test_base_curves_are_those_of_the_profile(self):
+        u = np.array([1e-3, -1e-3])
+        tables = self.monopile(30.0, u)
+        for name, base in zip(("hb", "mb"), self.profile().base(30.0, 8.0), strict=True):
+            exact = base.evaluate(u[:, None])[0][:, 0]
+            assert tables[name].reaction.tolist() == exact.tolist()
+            assert exact[0] > 0.0
+
+    def test_a_report_names_source_parameters_and_what_they_come_to(self):
+        tables = self.monopile(20.0)
+        text = curves_report(tuple(tables.values()), 20.0)
+        assert max(len(line) for line in text.splitlines()) <= 80
+        assert "source: PISA: Burd et al. 2020, marine sand" in text
+        words = " ".join(text.split())
+        assert "shown for |p| at the capacity of py, 2.19074e+07 N/m" in words
+        assert "relative density 75 %" in words
+        assert "initial shear modulus 1e+08 Pa" in words
+        assert "embedded length 30 m" in words
+        derived = [line for line in text.splitlines() if "ultimate reaction" in line]
+        units = [line.rsplit(" ", 1)[1] for line in derived]
+        assert units == ["N/m", "m", "N", "m"]  # the last one is N m
+        assert derived[-1].endswith(" N m")
+        for heading in ("rotation (rad)", "reaction (N m/m)", "reaction (N m)", "reaction (N)"):
+            assert heading in text
+
+    def test_the_jacket_pile(self, capsys):
+        deck = Path(__file__).parents[1] / "sample_dbs" / "jacket_pile.deck"
+        assert main(["curves", str(deck), "--depth", "4.5"]) == 0
+        text = capsys.readouterr().out
+        assert max(len(line) for line in text.splitlines()) <= 80
+        words = " ".join(text.split())
+        for source in (SoftClay.source, axial.CohesiveShaft.source, axial.CohesiveTip.source):
+            assert f"source: {source} with" in words
+        assert "undrained shear strength 17000 Pa" in words
+        assert "derived ultimate resistance" in words
+        assert "y50 0.080025 m, transition depth 9.7299" in words
+        assert "derived peak friction" in words
+        assert "derived peak bearing 153000 Pa" in words
+
+    def test_parameters_without_bound_are_told_as_none(self):
+        assert parameter("friction_limit", np.array([np.inf])) == "no friction limit"
+        assert parameter("rock_quality_designation", 0.4) == "rock quality designation 40 %"
+        assert parameter("friction_angle", np.radians(35.0)) == "friction angle 35 deg"
+        assert parameter("cyclic", False) == "not cyclic"
+        assert parameter("strain_50", 0.02) == "strain 50 0.02"
+        assert parameter("initial_stiffness", 3.0, "Pa") == "initial stiffness 3 Pa"

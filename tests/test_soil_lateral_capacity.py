@@ -85,3 +85,40 @@ def test_diameters_count():
 
     found = rigid_mechanism(ground((0.0, 200e3)), stepped, LENGTH, (1.0, 0.0), (2.0,))
     assert found.translation == pytest.approx(200e3 * (LENGTH + 2.0))
+
+
+def monopile(load, clay_above=False):
+    """A pile of 7.5 m by 30 m in PISA's soil: with moments along it, base shear and base moment."""
+    stiff = {"initial_shear_modulus": 60e6}
+    clay = Curve(1, "pisa_clay", {"undrained_shear_strength": 60e3, **stiff}, {})
+    given = {"effective_unit_weight": 10e3, "relative_density": 0.75, **stiff}
+    sand = Curve(2, "pisa_sand", given, {})
+    weight = Curve(3, "user", {"effective_unit_weight": 9e3}, {}, ((1.0, 0.0, 0.0, 0.0),))
+    depths, ids = ((0.0, 8.0, 8.0, 30.0), (1, 1, 2, 2)) if clay_above else ((0.0,), (2,))
+    axial = tuple(3 for _ in ids)
+    ground = Ground(depths, ids, axial, {1: clay, 2: sand}, {3: weight})
+    return rigid_mechanism(Profile(ground, 30.0), lambda z: np.full(len(z), 7.5), 30.0, load)
+
+
+def test_loads_of_every_ratio_have_a_mechanism_and_it_is_continuous():
+    """From a moment to a force below the tip: H rises to the shift and past it turns the pile."""
+    arms = np.linspace(60.0, -60.0, 121)
+    found = [monopile((1.0, arm)) for arm in arms]
+    forces = np.array([m.lateral_load for m in found])
+    for arm, one in zip(arms, found, strict=True):
+        assert one.moment == pytest.approx(arm * one.lateral_load, rel=1e-9, abs=1.0)
+        assert 0.0 < one.lateral_load <= one.translation * (1.0 + 1e-12)
+    top = int(forces.argmax())
+    assert found[top].pivot is None
+    assert found[top].lateral_load == pytest.approx(found[top].translation)
+    assert (np.diff(forces[: top + 1]) >= -1e-6).all()
+    assert (np.diff(forces[top:]) <= 1e-6).all()
+    last = max(i for i in range(top) if found[i].pivot)  # before it shifts
+    between = [monopile((1.0, arm)) for arm in np.linspace(arms[last], arms[last + 1], 41)]
+    assert any(m.pivot == 30.0 for m in between)  # about the tip, with a part of its shear
+
+
+def test_moments_of_clay_above_sand_do_not_follow_the_sands_rule():
+    mixed, sand = monopile((1.0, 30.0), clay_above=True), monopile((1.0, 30.0))
+    assert mixed.pivot is not None
+    assert 0.3 * sand.lateral_load < mixed.lateral_load < 2.0 * sand.lateral_load

@@ -1,11 +1,8 @@
 """A scene in words: what the solver understood, in SI, with what was left to a default."""
 
 from collections.abc import Iterator
-from math import degrees
 from textwrap import wrap
 from typing import Any
-
-import numpy as np
 
 from .scene import (
     Curve,
@@ -18,9 +15,10 @@ from .scene import (
     Scene,
     Section,
     Spring,
+    Spudcan,
     Support,
 )
-from .units import PARAMETER_UNITS, short
+from .units import parameter, short
 
 
 def scene_report(scene: Scene, notes: tuple[str, ...]) -> str:
@@ -57,6 +55,8 @@ def numerics_lines(scene: Scene) -> Iterator[str]:
         yield f"{numerics.elements} elements, no refinement"
     if numerics.degree is not None:
         yield f"deflection of degree {numerics.degree} in an element"
+    if not numerics.axial_curves:
+        yield "t-z and Q-z curves are left out (TZ=OFF): supports alone carry the tubes along z"
     limits = (
         f"at most {newton.iterations} iterations, forces balanced to {newton.force:g} or better"
     )
@@ -95,6 +95,10 @@ def ground_lines(ground: Ground) -> Iterator[str]:
     yield marked(friction, ground.friction_stiffness, 1e8)
     between = "parameters" if ground.interpolation == "PARAMETERS" else "loads"
     yield f"between depths {between} vary linearly; below the last one its curve goes on"
+    if ground.layering == "GEORGIADIS":
+        own = ground.layering_overburden == "OWN"
+        whose = "the overburden of the layer's own soil" if own else "the actual overburden"
+        yield f"layers by equivalent depth (Georgiadis), with {whose}"
     for kind, curves in (("p-y", ground.lateral_curves), ("t-z", ground.axial_curves)):
         for curve in curves.values():
             yield f"{kind} {curve.id}: {curve_line(curve)}"
@@ -110,17 +114,6 @@ def curve_line(curve: Curve) -> str:
     return ", ".join([curve.law.replace("_", " "), *parts])
 
 
-def parameter(name: str, value: Any) -> str:
-    """A parameter of a law in words; angles in degrees."""
-    words = name.replace("_", " ")
-    if isinstance(value, bool):
-        return words if value else f"not {words}"
-    if isinstance(value, str):
-        return f"{words} {value}"
-    unit, number = PARAMETER_UNITS.get(name, ""), float(np.ravel(value)[0])
-    return f"{words} {short(degrees(number) if unit == 'deg' else number)} {unit}".rstrip()
-
-
 def marked(text: str, given: object, default: object) -> str:
     """A statement that says so where the deck left it to the default."""
     return f"{text} (default)" if given == default else text
@@ -133,6 +126,8 @@ def action_lines(scene: Scene) -> Iterator[str]:
     for spring in scene.springs:
         unit = "N m/rad" if spring.dof.startswith("R") else "N/m"
         yield f"{_place(spring)}: spring {spring.dof} {short(spring.stiffness)} {unit}"
+    for spudcan in scene.spudcans:
+        yield spudcan_line(spudcan)
     for load in scene.loads:
         parts = [
             f"{name} {short(value)} {unit}"
@@ -150,6 +145,19 @@ def action_lines(scene: Scene) -> Iterator[str]:
         yield f"displacement {d.name} of {_place(d)}: {d.dof} {short(d.value)} {unit}"
     if any(load.moment[2] for load in scene.loads):
         yield "torsion is held: the soil gives no resistance to it, MZ has no effect on the results"
+
+
+def spudcan_line(spudcan: Spudcan) -> str:
+    """A spudcan, its soil as far as it is known, its factors and its preload."""
+    factors = (spudcan.vertical_factor, spudcan.horizontal_factor, spudcan.rotational_factor)
+    held = "elastic"
+    if spudcan.preload is not None:
+        held = f"preload {short(spudcan.preload)} N in {(spudcan.soil or '').lower()}"
+    return (
+        f"tube {spudcan.tube}: spudcan of {short(spudcan.diameter)} m, embedded "
+        f"{short(spudcan.embedment)} m, G {short(spudcan.shear_modulus)} Pa, nu "
+        f"{short(spudcan.poisson_ratio)}, KD {' '.join(map(short, factors))}, {held}"
+    )
 
 
 def _place(item: Support | Spring | Load | Displacement) -> str:

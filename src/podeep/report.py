@@ -1,16 +1,18 @@
 """What came of a run and which curves were in force, in words."""
 
 from collections.abc import Iterator, Sequence
+from textwrap import wrap
 from typing import Any
 
 import numpy as np
 
 from .arrays import Array
-from .describe import parameter
 from .soil.curves import CurveTable
 from .soil.reaction import Term
 from .solve.analysis import Solved
-from .units import short
+from .units import DERIVED_UNITS, parameter, short
+
+_WIDTH = 80
 
 
 def summary(solved: Solved) -> dict[str, Any]:
@@ -37,6 +39,27 @@ def summary(solved: Solved) -> dict[str, Any]:
         "estimated_error_reaction": max(reactions),
         "estimated_error_moment": max(moments),
         "largest_estimated_error": solved.error,
+        "spudcan": spudcan(solved),
+    }
+
+
+def spudcan(solved: Solved) -> dict[str, float | None] | None:
+    """Loads on the spudcan in the last step and how near they are to its yield surface.
+
+    failure_ratio: rf, None without a preload. softening: share of its rotational stiffness left.
+    """
+    under, state = solved.model.footing, solved.states[-1]
+    if under is None:
+        return None
+    V = under.vertical(solved.model.axial.system, state.axial)
+    H, M = under.across(solved.model.lateral.system.softened(state.softening), state.lateral)
+    ratio = None if under.surface is None else float(under.surface.utilisation(V, H, M))
+    return {
+        "vertical_N": V,
+        "horizontal_N": H,
+        "moment_Nm": M,
+        "failure_ratio": ratio,
+        "softening": state.softening,
     }
 
 
@@ -48,6 +71,18 @@ def largest(components: Array) -> Array:
 def run_report(numbers: dict[str, Any]) -> str:
     """The summary of a foundation in words."""
     n = numbers
+    under = n["spudcan"]
+    carried = []
+    if under is not None:
+        carried = [
+            f"    spudcan: V {short(under['vertical_N'])} N, H {short(under['horizontal_N'])} N, "
+            f"M {short(under['moment_Nm'])} N m"
+        ]
+    if under is not None and under["failure_ratio"] is not None:
+        carried[0] += (
+            f", rf {under['failure_ratio']:.3f}, "
+            f"{under['softening']:.1%} of the rotational stiffness left"
+        )
     return "\n".join(
         [
             f"{n['foundation']}  {'; '.join(n['decisions'])}",
@@ -61,6 +96,7 @@ def run_report(numbers: dict[str, Any]) -> str:
             f"reaction {n['estimated_error_reaction']:.1e}, "
             f"moment {n['estimated_error_moment']:.1e}",
             f"    largest in any step {n['largest_estimated_error']:.1e}",
+            *(line for text in carried for line in folded(text)),
         ]
     )
 
@@ -83,22 +119,51 @@ def curves_report(tables: Sequence[CurveTable], depth: float) -> str:
     """Curves at a depth as a table, each with its laws and the parameters in force."""
     lines = [f"depth {short(depth)} m below the mudline"]
     for table in tables:
-        unit = "N" if table.name == "qz" else "N/m"
-        lines += ["", f"{table.name}: capacity {short(float(table.source.capacity[0]))} {unit}"]
-        lines += [f"  {line}" for term in table.source.laws for line in term_lines(term)]
-        lines.append(f"{'displacement (m)':>18} {f'reaction ({unit})':>18}")
-        for u, force in zip(table.displacement, table.reaction, strict=True):
-            lines.append(f"{u:>18.6g} {force:>18.6g}")
+        kind = table.kind
+        at_most = f"capacity {short(table.capacity)} {kind.unit}"
+        lines += ["", *folded(f"{table.name}, {kind.title}: {at_most}")]
+        for term in table.source.laws:
+            lines += term_lines(term, table)
+        heads = (f"{kind.displacement} ({kind.displacement_unit})", f"reaction ({kind.unit})")
+        lines.append("".join(f"  {head:>26}" for head in heads))
+        for pair in zip(table.displacement, table.reaction, strict=True):
+            lines.append("".join(f"  {value + 0.0:>26.6g}" for value in pair))
     if not tables:
         lines.append("no reaction at this depth")
     return "\n".join(lines)
 
 
-def term_lines(term: Term) -> Iterator[str]:
-    """A law in force at one point: its name, the curves it comes from, its parameters."""
+def term_lines(term: Term, table: CurveTable) -> Iterator[str]:
+    """A law in force at one point: its name, its curves, its source, parameters and the rest."""
     ids = " and ".join(str(i) for i in term.curves)
     share = "" if term.weight is None else f", share {float(term.weight[0]):.4g}"
-    yield f"{term.name.replace('_', ' ')} of curve {ids}{share}"
-    for name, value in term.parameters.items():
-        if value is not None and name != "points":
-            yield f"  {parameter(name, value)}"
+    yield from folded(f"  {term.name.replace('_', ' ')} of curve {ids}{share}")
+    yield from folded(f"    source: {term.law.source}")
+    follows = term.law.follows_lateral
+    if follows:
+        yield from folded(
+            "    its moment comes for each unit of |p|, the lateral resistance at that instant; "
+            f"shown for |p| at the capacity of py, {short(table.lateral)} N/m"
+        )
+    given = [
+        f"{len(value)} points" if name == "points" else parameter(name, value)
+        for name, value in term.parameters.items()
+        if value is not None
+    ]
+    yield from _listed("    with ", given)
+    own = {"ultimate_reaction": "m" if follows else table.kind.unit}
+    units = {**DERIVED_UNITS, **own}
+    derived = [parameter(n, v, units.get(n, "")) for n, v in term.law.derived.items()]
+    yield from _listed("    derived ", derived)
+
+
+def folded(text: str) -> list[str]:
+    """A text as lines, with its own indent and two more where it goes on."""
+    indent = " " * (len(text) - len(text.lstrip()) + 2)
+    return wrap(text, _WIDTH, subsequent_indent=indent, break_long_words=True)
+
+
+def _listed(start: str, items: Sequence[str]) -> list[str]:
+    """Items after a start, as lines that break between items alone."""
+    whole = ", ".join(item.replace(" ", "\0") for item in items)
+    return [line.replace("\0", " ") for line in folded(start + whole)] if items else []

@@ -9,11 +9,11 @@ from .arrays import Array
 from .database.target import check_target
 from .database.write import Writer
 from .deck.read import Deck, read_deck
-from .errors import Fault, Interrupted, UserError
+from .errors import Interrupted, UserError
 from .files import make_folder
 from .record import Sheet, sheet
 from .report import run_report, step_table, summary
-from .scene import Scene
+from .scene import Foundation, Scene
 from .soil.curves import CurveTable
 from .soil.curves import curves as soil_curves
 from .soil.profile import profile_of
@@ -134,20 +134,16 @@ def write(
 
 
 def curves_at(
-    scene: Scene, foundation: str | None, depth: float, displacement: Array | None
+    scene: Scene, foundation: Foundation, depth: float, displacement: Array | None
 ) -> tuple[CurveTable, ...]:
     """The curves of a foundation's outermost tube at a depth (m below the mudline).
 
-    Raises UserError for a foundation or a depth that the scene does not have.
+    Raises UserError for a depth that the tube does not reach.
     """
-    found = {f.name: f for f in scene.foundations}
-    name = foundation or scene.foundations[0].name
-    if name not in found:
-        raise UserError(Fault(f"no foundation {name}", f"the deck has {', '.join(found)}"))
-    mudline = found[name].mudline
-    tube = scene.tubes[found[name].tubes[0]]
+    mudline = foundation.mudline
+    tube = scene.tubes[foundation.tubes[0]]
     if not 0.0 <= depth <= mudline - tube.tip:
         raise UserError(f"depth {depth:g} m is outside 0 to {mudline - tube.tip:g} m, the tip")
     section = next(s for s in tube.sections if mudline - depth >= s.bottom - 1e-9)
-    profile = profile_of(scene, found[name])
+    profile = profile_of(scene, foundation)
     return soil_curves(profile, depth, section.outer_diameter, displacement)

@@ -63,8 +63,6 @@ def _rows(spudcan: Spudcan) -> Iterator[Row]:
 
 def text(scene: Scene) -> str:
     """The table in words, 80 columns wide."""
-    if not scene.spudcans:
-        return "the deck has no *SPUDCAN: there is no stiffness to show"
     lines: list[str] = []
     for spudcan in scene.spudcans:
         lines += [*([""] if lines else []), *_heading(spudcan)]

@@ -5,7 +5,8 @@ Everything inside is SI; only tables and pictures convert, and only by this tabl
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import floor, log10
+from math import degrees, floor, log10
+from typing import Any
 
 import numpy as np
 
@@ -42,15 +43,20 @@ QUANTITIES = {
 }
 
 PARAMETER_UNITS = {
-    **dict.fromkeys(("depth", "diameter"), "m"),
+    **dict.fromkeys(("depth", "depth_in_rock", "diameter", "embedded_length"), "m"),
     **dict.fromkeys(("effective_unit_weight", "subgrade_modulus"), "N/m3"),
     **dict.fromkeys(("friction_angle", "interface_friction_angle"), "deg"),
-    "initial_stiffness": "Pa/m",
+    **dict.fromkeys(("initial_stiffness", "strength_gradient"), "Pa/m"),
     **dict.fromkeys(
         (
+            "compressive_strength",
             "effective_overburden",
             "end_bearing_limit",
             "friction_limit",
+            "initial_shear_modulus",
+            "mean_undrained_shear_strength",
+            "mudline_strength",
+            "rock_mass_modulus",
             "tip_pressure",
             "undrained_shear_strength",
             "unit_friction",
@@ -59,6 +65,18 @@ PARAMETER_UNITS = {
     ),
 }
 """Units of the parameters of laws; the others have none. Angles are shown in degrees."""
+
+DERIVED_UNITS = {
+    **dict.fromkeys(("transition_depth", "y50", "y_A", "y_k", "y_rm"), "m"),
+    **dict.fromkeys(("peak_bearing", "peak_friction"), "Pa"),
+    **dict.fromkeys(
+        ("residual_resistance", "theoretical_resistance", "ultimate_resistance"), "N/m"
+    ),
+    "initial_stiffness": "Pa",
+}
+"""Units of what lateral and axial laws derive from their parameters; the others have none."""
+
+_SHARES = ("relative_density", "rock_quality_designation")  # shown in percent
 
 AXIS_UNITS = {"step": "", "time": "s", "depth": "m"}
 """Units of what results are given against; a step is a plain number."""
@@ -72,6 +90,25 @@ def short(value: float) -> str:
 def with_unit(value: float, axis: str) -> str:
     """A step, time or depth in running text: `12`, `0.5 s`, `30 m`."""
     return f"{short(value)} {AXIS_UNITS[axis]}".rstrip()
+
+
+def parameter(name: str, value: Any, unit: str | None = None) -> str:
+    """A parameter of a law in words; angles in degrees, some shares in percent.
+
+    unit: that of a number which is no parameter, in place of the parameter's own.
+    """
+    words = name.replace("_", " ")
+    if isinstance(value, bool):
+        return words if value else f"not {words}"
+    if isinstance(value, str):
+        return f"{words} {value}"
+    number = float(np.ravel(value)[0])
+    if np.isposinf(number):
+        return f"no {words}"
+    if unit is None:
+        unit = "%" if name in _SHARES else PARAMETER_UNITS.get(name, "")
+        number = {"deg": degrees(number), "%": 100.0 * number}.get(unit, number)
+    return f"{words} {short(number)} {unit}".rstrip()
 
 
 def plain(text: str) -> str:

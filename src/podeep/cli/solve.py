@@ -10,8 +10,9 @@ from pathlib import Path
 import numpy as np
 
 from .. import __version__
-from ..errors import AnalysisFailed, ExitCode, UserError
+from ..errors import AnalysisFailed, ExitCode, Fault, UserError
 from ..files import make_folder
+from ..units import short
 from .common import guarded
 
 
@@ -45,10 +46,31 @@ def parser() -> argparse.ArgumentParser:
     curves_ = commands.add_parser("curves", help="the reaction curves in force at a depth")
     curves_.add_argument("deck", type=Path)
     curves_.add_argument("--depth", type=float, required=True, help="m below the mudline")
-    curves_.add_argument("--at", type=numbers, help="displacements in m, separated by commas")
+    curves_.add_argument(
+        "--at", type=numbers, help="displacements in m (rotations in rad), separated by commas"
+    )
     curves_.add_argument("--foundation", help="F1, F2, ...; the first one by default")
     curves_.add_argument("--csv", action="store_true", help="full precision, for other programs")
+    curves_.add_argument("-o", dest="directory", type=Path, help="where to write a picture")
     curves_.set_defaults(command=curves)
+
+    capacity_ = commands.add_parser("capacity", help="what a pile bears, and the length it needs")
+    capacity_.add_argument("deck", type=Path)
+    capacity_.add_argument("--foundation", help="F1, F2, ...; the first one by default")
+    capacity_.add_argument(
+        "--safety-factor", type=number, default=2.0, help="of the required length, 2.0 by default"
+    )
+    capacity_.add_argument(
+        "--to", type=number, help="end of the table, m below the mudline; 1.5 lengths by default"
+    )
+    capacity_.add_argument("--csv", action="store_true", help="full precision, SI units")
+    capacity_.add_argument("-o", dest="directory", type=Path, help="where to write a picture")
+    capacity_.set_defaults(command=capacity)
+
+    stiffness_ = commands.add_parser("stiffness", help="stiffness under spudcans, every model")
+    stiffness_.add_argument("deck", type=Path)
+    stiffness_.add_argument("--csv", action="store_true", help="SI units and full precision")
+    stiffness_.set_defaults(command=stiffness)
 
     keywords_ = commands.add_parser("keywords", help="the keyword table, or one keyword")
     keywords_.add_argument("name", nargs="?")
@@ -67,6 +89,15 @@ def accuracy(text: str) -> float:
     if not 1e-9 <= value <= 0.1:
         raise argparse.ArgumentTypeError(f"{text} is outside 1e-9 to 0.1")
     return value
+
+
+def number(text: str) -> float:
+    """A number; the bounds are told with what they depend on."""
+    try:
+        return float(text)
+    except ValueError:
+        message = f"'{text}' is no number: write it as 2.0 or 75"
+        raise argparse.ArgumentTypeError(message) from None
 
 
 def numbers(text: str) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
@@ -109,12 +140,14 @@ def check(options: argparse.Namespace) -> ExitCode:
 
 def curves(options: argparse.Namespace) -> ExitCode:
     """Show the curves in force at a depth."""
+    from ..capacity import foundation_of
     from ..deck.read import read_deck
     from ..report import curves_report
     from ..run import curves_at
 
     scene = read_deck(options.deck).scene
-    tables = curves_at(scene, options.foundation, options.depth, options.at)
+    foundation = foundation_of(scene, options.foundation)
+    tables = curves_at(scene, foundation, options.depth, options.at)
     if options.csv:
         writer = csv.writer(sys.stdout, lineterminator="\n")
         writer.writerow(("curve", "displacement", "reaction"))
@@ -123,6 +156,60 @@ def curves(options: argparse.Namespace) -> ExitCode:
                 writer.writerow((table.name, *(repr(float(value)) for value in pair)))
     else:
         print(curves_report(tables, options.depth))
+    if options.directory is not None and not tables:
+        print("podeep-solve: no picture: no curve reacts at this depth", file=sys.stderr)
+    elif options.directory is not None:
+        from ..soil_figure import save_curves
+
+        case, depth = f"{options.deck.stem}_{foundation.name}", short(options.depth)
+        title = f"{options.deck.stem}, {foundation.name}: reaction curves at {depth} m"
+        folder, stem = make_folder(options.directory), f"{case}_curves_{depth}m"
+        picture = save_curves(tables, title, folder, stem, whole=options.at is not None)
+        tell(picture, options)
+    return ExitCode.DONE
+
+
+def capacity(options: argparse.Namespace) -> ExitCode:
+    """Show what a foundation bears with its tip at each depth, and the length that it needs."""
+    from ..capacity import capacity as capacity_of
+    from ..capacity import foundation_of
+    from ..capacity_report import capacity_csv, capacity_report
+    from ..deck.read import read_deck
+
+    scene = read_deck(options.deck).scene
+    foundation = foundation_of(scene, options.foundation)
+    found = capacity_of(scene, foundation, options.safety_factor, options.to)
+    for warning in found.warnings:
+        print(f"podeep-solve: warning: {warning}", file=sys.stderr)
+    sys.stdout.write(capacity_csv(found) if options.csv else capacity_report(found) + "\n")
+    if options.directory is not None and found.axial is None:
+        print("podeep-solve: no picture: there is no axial capacity to draw", file=sys.stderr)
+    elif options.directory is not None:
+        from ..soil_figure import save_capacity
+
+        tell(save_capacity(found, make_folder(options.directory), options.deck.stem), options)
+    return ExitCode.DONE
+
+
+def tell(picture: Path, options: argparse.Namespace) -> None:
+    """Name a picture that was written, apart from data that another program reads."""
+    print(f"written: {picture}", file=sys.stderr if options.csv else sys.stdout)
+
+
+def stiffness(options: argparse.Namespace) -> ExitCode:
+    """Show the stiffness under every spudcan by every model."""
+    from ..deck.read import read_deck
+    from ..stiffness import COLUMNS, csv_rows, text
+
+    scene = read_deck(options.deck).scene
+    if not scene.spudcans:
+        raise UserError(
+            Fault(f"{options.deck} has no *SPUDCAN: there is no stiffness to show", "add one")
+        )
+    if options.csv:
+        csv.writer(sys.stdout, lineterminator="\n").writerows((COLUMNS, *csv_rows(scene)))
+    else:
+        print(text(scene))
     return ExitCode.DONE
 
 

@@ -69,23 +69,27 @@ def rigid_mechanism(
     turning, shear = _beside(profile, diameter, edges)
     H, M = load
 
-    def loads(a: float) -> tuple[float, float]:
+    def loads(way: float) -> tuple[float, float]:
+        """Of a pivot from the mudline (0) to the tip (1), then about the tip as its base shear
+        turns from against the load to with it (2), then without turning (3)."""
+        a = min(way, 1.0) * length
+        base = min(max(2.0 * way - 3.0, -1.0), 1.0) * shear
+        couple = min(5.0 - 2.0 * way, 1.0) * turning
         i = min(int(np.searchsorted(edges, a, side="right")) - 1, len(edges) - 2)
         t, b = resistance(edges[i : i + 1], np.array([a]))
-        lateral = 2.0 * (T[i] + t[0]) - T[-1] - shear
-        return lateral, B[-1] - 2.0 * (B[i] + b[0]) + shear * length + turning
+        lateral = 2.0 * (T[i] + t[0]) - T[-1] + base
+        return float(lateral), float(B[-1] - 2.0 * (B[i] + b[0]) - base * length + couple)
 
-    def imbalance(a: float) -> float:
-        lateral, moment = loads(a)
+    def imbalance(way: float) -> float:
+        lateral, moment = loads(way)
         return lateral * M - moment * H
 
-    translation = float(T[-1] + shear)
-    if imbalance(0.0) * imbalance(length) >= 0.0:
-        return RigidMechanism(translation, translation * M / H if H else inf, None, translation)
-    pivot = float(brentq(imbalance, 0.0, length, xtol=1e-13 * length, rtol=1e-14))
-    lateral, moment = loads(pivot)
+    # both ends are the same shift to either side: the sign does change between them
+    way = float(brentq(imbalance, 0.0, 3.0, xtol=1e-13, rtol=1e-14))
+    lateral, moment = loads(way)
     sense = -1.0 if lateral * H + moment * M < 0.0 else 1.0  # the pile may turn either way
-    return RigidMechanism(sense * lateral, sense * moment, pivot, translation)
+    pivot = None if way >= 2.0 else min(way, 1.0) * length
+    return RigidMechanism(sense * lateral, sense * moment, pivot, float(T[-1] + shear))
 
 
 def _gauss(a: Array, b: Array) -> tuple[Array, Array]:
@@ -103,7 +107,8 @@ def _beside(
     shear, base = profile.base(tip, float(diameter(edges[-1:])[0]))
     z, weight = (x.ravel() for x in _gauss(edges[:-1], edges[1:]))
     moment = profile.moment(z, diameter(z))
-    along = moment.capacity
-    if any(term.law.follows_lateral for term in moment.laws):
-        along = along * profile.lateral(z, diameter(z)).capacity
+    along = moment.part(lambda law: not law.follows_lateral).capacity
+    following = moment.part(lambda law: law.follows_lateral)
+    if following.laws:
+        along = along + following.capacity * profile.lateral(z, diameter(z)).capacity
     return float(along @ weight + base.capacity[0]), float(shear.capacity[0])

@@ -108,9 +108,10 @@ def required_length(
     length, again = (edges[0], edges[1:]) if edges else (None, [])
     at = capacity(np.array([longest if length is None else length]))
     pressed, pulled = margins(at)
+    decided = bool(pressed[0] <= pulled[0])  # by compression
     return RequiredLength(
         length=length,
-        governing="compression" if pressed[0] <= pulled[0] else "tension",
+        governing="tension" if tension and not (compression and decided) else "compression",
         failing_again=tuple(zip_longest(again[::2], again[1::2], fillvalue=longest)),
         scanned=(shortest, longest),
         capacity=at,
