@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from podeep.errors import InvalidData
-from podeep.soil import spudcan
-from podeep.soil.spudcan import YieldSurface, moment_limit, target_factor
+from podeep.soil import spudcan, spudcan_bearing
+from podeep.soil.spudcan_yield import YieldSurface, moment_limit, target_factor
 from test_soil_tables import KILO, close, table
 
 few = settings(max_examples=100, deadline=None, derandomize=True)
@@ -24,11 +24,13 @@ ratios = st.floats(0.0, 3.0)
 
 
 def clay(su=4e4, diameter=14.0, depth=5.0, overburden=3e4):
-    return spudcan.clay_bearing_capacity(su, diameter, depth, overburden)
+    return spudcan_bearing.clay_bearing_capacity(su, diameter, depth, overburden)
 
 
 def sand(phi=32.0, diameter=10.0, depth=5.0, weight=1e4, overburden=5e4):
-    return spudcan.sand_bearing_capacity(np.radians(phi), diameter, depth, weight, overburden)
+    return spudcan_bearing.sand_bearing_capacity(
+        np.radians(phi), diameter, depth, weight, overburden
+    )
 
 
 # --- tables -----------------------------------------------------------------------------------
@@ -112,14 +114,14 @@ def test_shear_moduli():
 def test_points_are_their_elements():
     nu, R, h = np.array([0.2, 0.5]), np.array([4.0, 8.0]), np.array([0.0, 12.0])
     many = spudcan.elastic_stiffness(2e7, nu, R, spudcan.arya_factors(nu, R, h))
-    bearing = spudcan.sand_over_clay_bearing_capacity(
+    bearing = spudcan_bearing.sand_over_clay_bearing_capacity(
         0.6, np.array([2e4, 8e4]), 2.0 * R, h, 9e3, 9e3 * h, R
     )
     for i in range(2):
         factors = spudcan.arya_factors(float(nu[i]), float(R[i]), float(h[i]))
         one = spudcan.elastic_stiffness(2e7, float(nu[i]), float(R[i]), factors)
         np.testing.assert_allclose([k[i] for k in many], one, rtol=1e-13)
-        alone = spudcan.sand_over_clay_bearing_capacity(
+        alone = spudcan_bearing.sand_over_clay_bearing_capacity(
             0.6, (2e4, 8e4)[i], 2.0 * float(R[i]), float(h[i]), 9e3, 9e3 * float(h[i]), float(R[i])
         )
         np.testing.assert_allclose(bearing.capacity[i], alone.capacity, rtol=1e-13)
@@ -174,7 +176,7 @@ def test_sand_loses_at_the_depth_of_a_diameter_what_the_printed_factor_loses():
 )
 def test_squeezing_never_lowers_and_stays_below_the_hard_layer(su, depth, s, thickness, hard):
     plain = clay(su, 14.0, depth, s)
-    squeezed = spudcan.squeezing_bearing_capacity(su, 14.0, depth, s, thickness, hard)
+    squeezed = spudcan_bearing.squeezing_bearing_capacity(su, 14.0, depth, s, thickness, hard)
     assert squeezed.capacity >= plain.capacity
     assert squeezed.unit_capacity <= max(plain.unit_capacity, hard)
     if thickness == 0.0 and su > 100.0:
@@ -187,7 +189,7 @@ def test_squeezing_sets_in_below_a_thickness(depth, deep):
     plain = clay(depth=depth)
 
     def squeezed(thickness, hard=1e9):
-        return spudcan.squeezing_bearing_capacity(4e4, 14.0, depth, 3e4, thickness, hard)
+        return spudcan_bearing.squeezing_bearing_capacity(4e4, 14.0, depth, 3e4, thickness, hard)
 
     assert squeezed(onset * 1.000001).unit_capacity == plain.unit_capacity
     thin = 0.999999 * onset
@@ -202,7 +204,7 @@ def test_squeezing_sets_in_below_a_thickness(depth, deep):
 @given(su=strengths, softer=ratios, H=depths, further=depths, depth=depths, s=strengths)
 def test_two_clays(su, softer, H, further, depth, s):
     def both(distance):
-        return spudcan.two_clays_bearing_capacity(su, softer * su, 14.0, depth, s, distance)
+        return spudcan_bearing.two_clays_bearing_capacity(su, softer * su, 14.0, depth, s, distance)
 
     firm, soft = clay(su, 14.0, depth, s), clay(softer * su, 14.0, depth, s)
     assert both(0.0).capacity == min(firm.capacity, soft.capacity)
@@ -213,7 +215,7 @@ def test_two_clays(su, softer, H, further, depth, s):
 
 
 def test_two_clays_by_hand():
-    ours = spudcan.two_clays_bearing_capacity(6e4, 2e4, 10.0, 5.0, 4e4, 5.0)
+    ours = spudcan_bearing.two_clays_bearing_capacity(6e4, 2e4, 10.0, 5.0, 4e4, 5.0)
     close(ours.unit_capacity, 3.0 * 0.5 * 6e4 + 7.7 * 2e4 + 4e4)
     close(ours.factors["top_layer"], 7.0 * 6e4 + 4e4)
 
@@ -223,9 +225,9 @@ def test_sand_over_clay_is_the_printed_formulas(H, n, governs):
     B, g, s, su, D = 12.0, 1e4, 5e4, 3e4, 5.0
 
     def footing(width):
-        return spudcan.clay_bearing_capacity(su, width, 0.0, s + g * H).capacity
+        return spudcan_bearing.clay_bearing_capacity(su, width, 0.0, s + g * H).capacity
 
-    ours = spudcan.sand_over_clay_bearing_capacity(np.radians(35.0), su, B, D, g, s, H, n)
+    ours = spudcan_bearing.sand_over_clay_bearing_capacity(np.radians(35.0), su, B, D, g, s, H, n)
     area, wide = np.pi * B**2 / 4.0, B + 2.0 * H / n
     Ks_tan = 3.0 * su / (B * g)
     sides = 2.0 * (H / B) * (H * g + 2.0 * s) * Ks_tan * area
@@ -241,7 +243,7 @@ def test_sand_over_clay_is_the_printed_formulas(H, n, governs):
 @given(su=strengths, H=depths, further=depths, s=strengths, phi=st.floats(20.0, 44.0))
 def test_sand_over_clay(su, H, further, s, phi):
     def both(distance, spread=5.0):
-        return spudcan.sand_over_clay_bearing_capacity(
+        return spudcan_bearing.sand_over_clay_bearing_capacity(
             np.radians(phi), su, 12.0, 5.0, 1e4, s, distance, spread
         )
 
@@ -382,7 +384,9 @@ def test_a_bracket_finds_the_secant_factor_where_insertion_does_not(attracted, o
         (lambda: clay(diameter=0.0), "B"),
         (lambda: sand(diameter=-1.0), "B"),
         (
-            lambda: spudcan.sand_over_clay_bearing_capacity(0.6, 1e4, 9.0, 1.0, 0.0, 1e4, 3.0),
+            lambda: spudcan_bearing.sand_over_clay_bearing_capacity(
+                0.6, 1e4, 9.0, 1.0, 0.0, 1e4, 3.0
+            ),
             "GAMMA",
         ),
     ],

@@ -14,10 +14,9 @@ from .soil.spudcan import (
     Moduli,
     Stiffness,
     arya_factors,
-    clay_bearing_capacity,
     elastic_stiffness,
-    sand_bearing_capacity,
 )
+from .soil.spudcan_bearing import clay_bearing_capacity, sand_bearing_capacity
 from .units import short
 
 

@@ -7,7 +7,8 @@ import numpy as np
 
 from ..arrays import Array
 from ..scene import Spudcan
-from ..soil.spudcan import Stiffness, YieldSurface, elastic_stiffness
+from ..soil.spudcan import Stiffness, elastic_stiffness
+from ..soil.spudcan_yield import YieldSurface
 from .system import System
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ..arrays import Array
+from ..soil.spudcan_yield import moment_limit
 from .analysis import Solved
 from .newton import Ending
 from .statics import Failure
@@ -61,7 +62,8 @@ def spudcan_loads(solved: Solved, failure: Failure) -> list[str]:
     return [
         f"there it carries V {V:.4g} N, H {H:.4g} N, M {M:.4g} N m",
         f"of QV {surface.vertical_capacity:.4g} N, QH {surface.horizontal_capacity:.4g} N, "
-        f"QM {surface.moment_capacity:.4g} N m",
+        f"QM {surface.moment_capacity:.4g} N m; with that V and H, M up to "
+        f"{moment_limit(surface, V, H):.4g} N m",
         "remedy: a larger spudcan or preload, or smaller loads",
     ]
 

@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 
 from ..arrays import Array
 from ..model.footing import Footing
-from ..soil.spudcan import YieldSurface
+from ..soil.spudcan_yield import YieldSurface, target_factor
 from .advance import Advance, Track
 from .newton import Ending, Work
 
@@ -45,7 +45,7 @@ class _Trials:
             raise _NoEquilibrium
         loads = self.footing.across(problem.system, trial.q)
         self.failure_ratio = float(self.surface.utilisation(self.vertical, *loads))
-        return kappa - float(self.surface.reduction(self.failure_ratio))
+        return kappa - target_factor(self.surface, self.vertical, *loads)
 
 
 class _NoEquilibrium(Exception):
