@@ -258,6 +258,8 @@ def test_axial_rows(tmp_path: Path, text: str) -> None:
         ("PYCURVE", ", SHAPE=WSD\n9\n2 1e4 35 22e6", "SHAPE has no effect here (ITYP 2"),
         ("PYCURVE", ", CYCLIC\n9 0 0\n1 1", "CYCLIC has no effect here (user curve"),
         ("PYCURVE", "\n9\n10 20e3 8e3 0.5 0.01", "ITYP is 10; types are 1: soft clay"),
+        ("PYCURVE", "\n9\n6 20e3 8e3 4 IP=LOW NOGAP", "write it after a comma: *PYCURVE, NOGAP"),
+        ("PYCURVE", "\n9\n2 1e4 35 22e6 cyclic", "CYCLIC is an option, but stands among"),
         ("PYCURVE", "\n9\n1 20e3 8e3 0.5 0.01 ROW=1", "ROW has no effect without SPACING"),
         ("PYCURVE", "\n9\n2 1e4 35 SPACING=4", "SPACING has no effect without ROW"),
         ("PYCURVE", "\n9\n2 1e4 35 SPACING=2 ROW=1", "SPACING is 2, but must be at least 3"),

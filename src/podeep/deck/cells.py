@@ -58,7 +58,7 @@ def read_row(
     values = Values(fields[0].place if fields else place)
     before = len(faults.found)
     positional = [f for f in fields if not f.name]
-    misplaced = _check_order(fields, row, faults)
+    misplaced = _check_order(fields, row, keyword, faults)
     given, grouped = _assigned(fields, row, keyword, Faults() if misplaced else faults)
     if not misplaced and not any("," in f.text for f in positional):
         _check_count(fields, positional, given, row, keyword, place, faults)
@@ -81,8 +81,15 @@ def read_row(
     return values
 
 
-def _check_order(fields: Sequence[Field], row: Row, faults: Faults) -> bool:
-    """Tell of a value that follows a NAME=VALUE on the same line; True if there is one."""
+def _check_order(fields: Sequence[Field], row: Row, keyword: Keyword, faults: Faults) -> bool:
+    """Tell of a flag among the values, or a value after a NAME=VALUE of its line; True if so."""
+    flags = {c.name for c in row.columns if c.kind == "flag"}
+    for one in fields:
+        if not one.name and one.text.upper() in flags:
+            word = one.text.upper()
+            message = f"{word} is an option, but stands among the values"
+            faults.add(one.place, message, f"write it after a comma: *{keyword.name}, {word}")
+            return True
     for before, after in pairwise(fields):
         if before.name and not after.name and after.place.line == before.place.line:
             message = f"'{after.text}' follows a value by name"

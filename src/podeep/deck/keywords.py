@@ -114,7 +114,9 @@ def _page(keyword: Keyword) -> Iterator[str]:
         yield from _row(row)
     if any(c.named for row in keyword.rows for c in row.columns):
         own = f", or on the keyword's line: *{keyword.name}, NAME=VALUE" if keyword.optioned else ""
-        yield from ("", fill(f"NAME=VALUE goes at the end of a line{own}.", _WIDTH))
+        flags = any(c.kind == "flag" for row in keyword.rows for c in row.columns)
+        bare = f" A bare word goes there alone: *{keyword.name}, WORD." if flags else ""
+        yield from ("", fill(f"NAME=VALUE goes at the end of a line{own}.{bare}", _WIDTH))
     if keyword.planned:
         yield ""
         yield fill(f"Not read by this version: {', '.join(keyword.planned)}.", _WIDTH)

@@ -158,6 +158,10 @@ class System:
             place, entry, np.concatenate([s.ravel() for s in sources]), (storage, kinds * count)
         )
 
+    def outer_forces(self, q: Array, load: Array) -> Array:
+        """Loads and forces of the springs to ground at each unknown, N in the field's scaling."""
+        return np.asarray(np.maximum(np.abs(load), np.abs(self._springs * q)))
+
     def softened(self, factor: float) -> "System":
         """The same system with the springs that soften at a share of their full stiffness."""
         if factor == self.softening:
