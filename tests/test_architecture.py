@@ -12,23 +12,26 @@ ORDER = """
 __init__ arrays errors files units scene
 soil.__init__ soil.group
 deck.__init__ deck.faults deck.scan deck.column deck.curve_columns deck.ground_keywords
-deck.py_keyword deck.tz_keyword deck.structure_keywords deck.action_keywords
-deck.analysis_keywords deck.keywords deck.cells deck.registry deck.curves deck.ground deck.structure deck.actions
+deck.py_keyword deck.tz_keyword deck.structure_keywords deck.action_keywords deck.analysis_keywords
+deck.keywords deck.cells deck.registry deck.curves deck.ground deck.structure deck.actions
 deck.paragraphs deck.read
-soil.law soil.backbone soil.soft_clay soil.sand soil.initial_line soil.stiff_clay
-soil.weak_rock soil.reese_sand soil.iso_clay soil.pisa_fits soil.pisa soil.lateral soil.axial
-soil.layering soil.layers soil.surroundings soil.kinds soil.equivalent soil.reaction soil.profile soil.curves soil.lateral_capacity
-soil.axial_capacity soil.required_length soil.spudcan soil.spudcan_bearing soil.spudcan_yield
+soil.law soil.backbone soil.soft_clay soil.sand soil.initial_line soil.stiff_clay soil.weak_rock
+soil.reese_sand soil.iso_clay soil.pisa_fits soil.pisa soil.lateral soil.axial soil.layering
+soil.layers soil.surroundings soil.kinds soil.equivalent soil.reaction soil.profile soil.curves
+soil.lateral_capacity soil.axial_capacity soil.required_length soil.spudcan soil.spudcan_bearing
+soil.spudcan_yield
 beam.__init__ beam.shapes beam.field beam.band
 model.__init__ model.needs model.mesh model.system model.footing model.assemble model.recover
 model.results model.grid
-solve.__init__ solve.newton solve.advance solve.yielding solve.statics solve.accuracy solve.analysis solve.diagnosis
+solve.__init__ solve.newton solve.advance solve.yielding solve.statics solve.accuracy
+solve.analysis solve.diagnosis
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read
 capacity stiffness record describe report capacity_report query table picture figure soil_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result
-run cli.__init__ cli.common cli.podeep cli.solve
+run
+cli.__init__ cli.common cli.podeep cli.solve
 """.split()
 
 FILES = sorted(SOURCE.rglob("*.py"))

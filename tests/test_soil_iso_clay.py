@@ -5,17 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from podeep.errors import InvalidData
 from podeep.soil.iso_clay import IsoClay
 
 (TABLE,) = (Path(__file__).parent / "data" / "soil").glob("04_*.csv")
 KILO = 1e3
-EPS = np.finfo(float).eps
-
-few = settings(max_examples=30, deadline=None, derandomize=True)
 
 
 def table(**equal):
@@ -163,48 +158,3 @@ def test_clay_without_strength_or_overburden(gap):
 def test_options_that_mean_nothing_are_refused(option):
     with pytest.raises(InvalidData):
         clay(**option)
-
-
-soils = st.fixed_dictionaries(
-    {
-        "depth": st.floats(0.0, 60.0),
-        "diameter": st.floats(0.1, 6.0),
-        "effective_overburden": st.floats(0.0, 6e5),
-        "undrained_shear_strength": st.floats(0.0, 4e5),
-        "mudline_strength": st.floats(0.0, 1e5),
-        "strength_gradient": st.floats(-1e3, 1e4),
-        "adhesion": st.floats(0.0, 1.0),
-        "overconsolidation_ratio": st.floats(1.0, 20.0),
-        "strength_ratio": st.floats(0.7, 1.0),
-        "plasticity": st.sampled_from(("HIGH", "LOW")),
-    }
-)
-magnitudes = st.floats(np.log(1e-12), np.log(1e3)).map(lambda x: float(np.exp(x)))
-
-
-@few
-@given(soil=soils, sizes=st.lists(magnitudes, min_size=2, max_size=6).map(sorted))
-def test_odd_bounded_monotone_and_exact(soil, sizes):
-    law, u = IsoClay(**soil), np.array(sizes)[:, None]
-    force, stiffness = law.evaluate(u)
-    assert law.force(np.zeros(1))[0] == 0.0
-    opposite, same = law.evaluate(-u)
-    assert (opposite == -force).all()
-    assert (same == stiffness).all()
-    assert (force <= law.capacity * (1.0 + 4.0 * EPS)).all()
-    assert (np.diff(force, axis=0) >= -4.0 * EPS * law.capacity).all()
-    (before, left), (after, right) = law.evaluate(u * (1.0 - 1e-6)), law.evaluate(u * (1.0 + 1e-6))
-    mean = (after - before) / (u * (1.0 + 1e-6) - u * (1.0 - 1e-6))
-    rounding = 1e-9 * law.capacity / u + 1e-6 * (left + right)
-    assert (mean >= np.minimum(left, right) - rounding).all()
-    assert (mean <= np.maximum(left, right) + rounding).all()
-
-
-@few
-@given(soil=soils, size=magnitudes)
-def test_one_number_or_an_array_of_them(soil, size):
-    arrays = {n: np.full(3, v) if isinstance(v, float) else v for n, v in soil.items()}
-    many = IsoClay(**arrays).evaluate(np.full((2, 3), size))
-    one = IsoClay(**soil).evaluate(np.array([size]))
-    for result, alone in zip(many, one, strict=True):
-        np.testing.assert_allclose(result, np.broadcast_to(alone, (2, 3)), rtol=1e-13)

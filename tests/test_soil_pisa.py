@@ -6,8 +6,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from podeep.errors import InvalidData
 from podeep.soil import pisa
@@ -36,7 +34,6 @@ KINDS = [
 every_kind = pytest.mark.parametrize(
     ("kind", "options"), KINDS, ids=[f"{k.__name__}{''.join(o.values())}" for k, o in KINDS]
 )
-few = settings(max_examples=30, deadline=None, derandomize=True)
 
 
 def table(model, component):
@@ -264,61 +261,3 @@ def test_the_multiplier_acts_on_p_at_the_same_displacement(kind):
 def test_an_unknown_site_is_refused(kind):
     with pytest.raises(InvalidData):
         make(kind, **soil(site="DUNKIRK"))
-
-
-piles = st.fixed_dictionaries(
-    {
-        "depth": st.floats(0.0, 10.0),  # in diameters
-        "embedded_length": st.floats(0.5, 15.0),  # in diameters
-        "diameter": st.floats(0.5, 12.0),
-        "initial_shear_modulus": st.floats(1e6, 5e8),
-        "undrained_shear_strength": st.floats(0.0, 4e5),
-        "effective_overburden": st.floats(0.0, 6e5),
-        "relative_density": st.floats(0.2, 1.0),
-    }
-)
-sizes = st.floats(np.log(1e-12), np.log(1e3)).map(lambda x: float(np.exp(x)))
-
-
-def pile(given, options):
-    D = given["diameter"]
-    lengths = {name: D * given[name] for name in ("depth", "embedded_length")}
-    return {**given, **lengths, **options}
-
-
-@every_kind
-@few
-@given(given=piles, sizes=st.lists(sizes, min_size=2, max_size=6).map(sorted))
-def test_odd_bounded_monotone_and_exact(kind, options, given, sizes):
-    law, u = make(kind, **pile(given, options)), np.array(sizes)[:, None]
-    k, n, Xu, Yu = law.parameters
-    assert (k > 0.0).all()
-    assert (Yu > 0.0).all()
-    assert ((n >= 0.0) & (n <= 1.0)).all()
-    assert (k * Xu >= Yu * (1.0 - 2.0 * EPS)).all()
-    force, stiffness = law.evaluate(u)
-    assert law.force(np.zeros(1))[0] == 0.0
-    opposite, same = law.evaluate(-u)
-    assert (opposite == -force).all()
-    assert (same == stiffness).all()
-    assert np.isfinite(stiffness).all()
-    assert (stiffness >= 0.0).all()
-    assert (force <= law.capacity * (1.0 + 4.0 * EPS)).all()
-    assert (np.diff(force, axis=0) >= -4.0 * EPS * law.capacity).all()
-    (before, left), (after, right) = law.evaluate(u * (1.0 - 1e-6)), law.evaluate(u * (1.0 + 1e-6))
-    mean = (after - before) / (u * (1.0 + 1e-6) - u * (1.0 - 1e-6))
-    rounding = 1e-9 * law.capacity / u + 1e-6 * (left + right)
-    assert (mean >= np.minimum(left, right) - rounding).all()
-    assert (mean <= np.maximum(left, right) + rounding).all()
-
-
-@every_kind
-@few
-@given(given=piles, size=sizes)
-def test_one_number_or_an_array_of_them(kind, options, given, size):
-    one = make(kind, **pile(given, options))
-    many = make(kind, **{n: np.full(3, v) for n, v in pile(given, {}).items()}, **options)
-    assert many.capacity.shape == (3,)
-    results = zip(many.evaluate(np.full((2, 3), size)), one.evaluate(np.array([size])), strict=True)
-    for result, alone in results:
-        np.testing.assert_allclose(result, np.broadcast_to(alone, (2, 3)), rtol=1e-13)

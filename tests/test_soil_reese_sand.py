@@ -2,13 +2,9 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from podeep.soil.reese_sand import ReeseSand
 from podeep.soil.sand import default_subgrade_modulus, sand_coefficients
-from test_soil_laws import between, displacements
-from test_soil_stiff_clay import holds
 from test_soil_tables import close
 
 PHI = np.radians(34.0)
@@ -154,20 +150,3 @@ def test_the_default_modulus_is_that_of_sand():
     law = sand(friction_angle=phi, subgrade_modulus=None, multiplier=0.5)
     close(law.initial_stiffness, 0.5 * 5.0 * default_subgrade_modulus(phi))
     assert (law.stiffness(np.zeros(3)) == law.initial_stiffness).all()
-
-
-@both
-@pytest.mark.parametrize("k", ["given", "default"])
-@settings(max_examples=30, deadline=None, derandomize=True)
-@given(data=st.data())
-def test_reese_sand_everywhere(cyclic, k, data):
-    law = ReeseSand(
-        depth=data.draw(between(0.0, 60.0)),
-        diameter=data.draw(between(0.1, 6.0)),
-        effective_overburden=data.draw(between(0.0, 6e5)),
-        friction_angle=data.draw(between(np.radians(20.0), np.radians(42.0))),
-        subgrade_modulus=data.draw(between(1e6, 8e7)) if k == "given" else None,
-        multiplier=data.draw(between(0.1, 1.0)),
-        cyclic=cyclic,
-    )
-    holds(law, data.draw(displacements))

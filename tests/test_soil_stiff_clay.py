@@ -1,47 +1,15 @@
 """Stiff clay: check tables 06 and 07, and what they do not reach."""
 
-from dataclasses import fields, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from podeep.errors import InvalidData
 from podeep.soil.stiff_clay import StiffClay, StiffClayFreeWater, default_subgrade_modulus
-from test_soil_laws import EPS, between, displacements
 from test_soil_tables import KILO, close, table
 
-few = settings(max_examples=30, deadline=None, derandomize=True)
 both = pytest.mark.parametrize("cyclic", [False, True], ids=["static", "cyclic"])
-
-
-def holds(law, u):
-    """What every odd law owes at displacements u of its points."""
-    force, stiffness = law.evaluate(u)
-    largest = law.capacity * (1.0 + 4.0 * EPS)
-    assert (law.force(np.zeros_like(u)) == 0.0).all()
-    assert law.capacity.shape == u.shape
-    assert (np.abs(force) <= largest).all()
-    assert (force * u >= 0.0).all()
-    assert np.isfinite(stiffness).all()
-    opposite, same = law.evaluate(-u)
-    assert (opposite == -force).all()
-    assert (same == stiffness).all()
-    near = np.where(u == 0.0, 1e-9, u)
-    ends = near - 1e-6 * np.abs(near), near + 1e-6 * np.abs(near)
-    (before, slope_before), (after, slope_after) = (law.evaluate(end) for end in ends)
-    difference = (after - before) / (ends[1] - ends[0])
-    slack = 1e-9 * law.capacity / np.abs(near) + 1e-6 * (np.abs(slope_before) + np.abs(slope_after))
-    assert (difference >= np.minimum(slope_before, slope_after) - slack).all()
-    assert (difference <= np.maximum(slope_before, slope_after) + slack).all()
-    arrays = {f.name: getattr(law, f.name) for f in fields(law)}
-    arrays = {name: value for name, value in arrays.items() if isinstance(value, np.ndarray)}
-    for i in range(len(u)):
-        alone = replace(law, **{name: float(value[i]) for name, value in arrays.items()})
-        one, slope = alone.evaluate(u[i : i + 1])
-        np.testing.assert_allclose(one[0], force[i], rtol=1e-13, atol=1e-14 * law.capacity[i])
-        np.testing.assert_allclose(slope[0], stiffness[i], rtol=1e-12)
 
 
 def free_water(**changed):
@@ -218,25 +186,6 @@ def test_the_multiplier_acts_on_the_reaction_alone(cyclic):
         close(half.capacity, 0.5 * law.capacity)
 
 
-@both
-@pytest.mark.parametrize("k", ["given", "default"])
-@few
-@given(data=st.data())
-def test_free_water_everywhere(cyclic, k, data):
-    law = StiffClayFreeWater(
-        depth=data.draw(between(0.0, 60.0)),
-        diameter=data.draw(between(0.1, 6.0)),
-        effective_overburden=data.draw(between(0.0, 6e5)),
-        undrained_shear_strength=data.draw(between(0.0, 4e5)),
-        mean_undrained_shear_strength=data.draw(between(0.0, 4e5)),
-        strain_50=data.draw(between(0.002, 0.03)),
-        subgrade_modulus=data.draw(between(1e6, 8e8)) if k == "given" else None,
-        multiplier=data.draw(between(0.1, 1.0)),
-        cyclic=cyclic,
-    )
-    holds(law, data.draw(displacements))
-
-
 def dry(t=None, **changed):
     given = {
         "depth": 3.0,
@@ -297,22 +246,3 @@ def test_less_than_one_cycle_is_refused(cycles):
     with pytest.raises(InvalidData) as error:
         dry(cyclic=True, cycles=cycles)
     assert error.value.field == "CYCLES"
-
-
-@both
-@few
-@given(data=st.data())
-def test_without_free_water_everywhere(cyclic, data):
-    law = StiffClay(
-        depth=data.draw(between(0.0, 60.0)),
-        diameter=data.draw(between(0.1, 6.0)),
-        effective_overburden=data.draw(between(0.0, 6e5)),
-        undrained_shear_strength=data.draw(between(0.0, 4e5)),
-        mean_undrained_shear_strength=data.draw(between(0.0, 4e5)),
-        strain_50=data.draw(between(0.002, 0.03)),
-        j=data.draw(between(0.25, 0.5)),
-        multiplier=data.draw(between(0.1, 1.0)),
-        cyclic=cyclic,
-        cycles=data.draw(between(1.0, 1e4)),
-    )
-    holds(law, data.draw(displacements))

@@ -1,12 +1,8 @@
 """Weak rock: check table 08, and what it does not reach."""
 
 import numpy as np
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from podeep.soil.weak_rock import WeakRock
-from test_soil_laws import between, displacements
-from test_soil_stiff_clay import holds
 from test_soil_tables import KILO, close, table
 
 
@@ -95,18 +91,3 @@ def test_the_multiplier_acts_on_the_reaction_alone():
     np.testing.assert_allclose(
         rock(multiplier=0.5).evaluate(y), 0.5 * np.array(rock().evaluate(y)), rtol=1e-14
     )
-
-
-@settings(max_examples=30, deadline=None, derandomize=True)
-@given(data=st.data())
-def test_weak_rock_everywhere(data):
-    law = WeakRock(
-        depth_in_rock=data.draw(between(0.0, 60.0)),
-        diameter=data.draw(between(0.1, 6.0)),
-        compressive_strength=data.draw(between(0.0, 2e7)),
-        rock_mass_modulus=data.draw(between(0.0, 2e10)),
-        rock_quality_designation=data.draw(between(0.0, 1.0)),
-        strain_rm=data.draw(between(5e-5, 5e-4)),
-        multiplier=data.draw(between(0.1, 1.0)),
-    )
-    holds(law, data.draw(displacements))
