@@ -12,7 +12,7 @@ from ..arrays import Array
 from .backbone import Values
 from .initial_line import below_line
 from .law import LayeredLaw
-from .sand import default_subgrade_modulus, sand_coefficients
+from .sand import default_subgrade_modulus, failure_width
 
 #: X/D of the charts of A and B
 _NODES = (0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0)
@@ -85,10 +85,8 @@ class ReeseSand(LayeredLaw):
     @cached_property
     def theoretical_resistance(self) -> Array:
         """ps with the multiplier, N/m, shape (n,)."""
-        C1, C2, C3 = sand_coefficients(self.friction_angle)
-        D = self.diameter
-        bearing = np.minimum(C1 * self.depth + C2 * D, C3 * D)
-        return np.atleast_1d(self.multiplier * bearing * self.effective_overburden)
+        width = failure_width(self.depth, self.diameter, self.friction_angle)
+        return np.atleast_1d(self.multiplier * width * self.effective_overburden)
 
     @cached_property
     def _AB(self) -> tuple[Array, Array]:

@@ -46,10 +46,8 @@ class Sand(LayeredLaw):
     @cached_property
     def ultimate_resistance(self) -> Array:
         """pu with its multiplier, before A, N/m, shape (n,)."""
-        C1, C2, C3 = sand_coefficients(self.friction_angle)
-        D, X = self.diameter, self.depth
-        bearing = np.minimum(C1 * X + C2 * D, C3 * D)
-        return np.atleast_1d(self.multiplier * bearing * self.effective_overburden)
+        width = failure_width(self.depth, self.diameter, self.friction_angle)
+        return np.atleast_1d(self.multiplier * width * self.effective_overburden)
 
     @cached_property
     def _A(self) -> Values:
@@ -90,6 +88,12 @@ class Sand(LayeredLaw):
         ratio *= ratio
         ratio *= initial
         return force, initial - ratio
+
+
+def failure_width(depth: Values, diameter: Values, friction_angle: Values) -> Array:
+    """What the overburden acts on at failure: min( C1 X + C2 D , C3 D ), m, shape (n,)."""
+    C1, C2, C3 = sand_coefficients(friction_angle)
+    return np.minimum(C1 * depth + C2 * diameter, C3 * diameter)
 
 
 def sand_coefficients(friction_angle: Values) -> Array:
