@@ -93,7 +93,7 @@ class Sand(LayeredLaw):
 def failure_width(depth: Values, diameter: Values, friction_angle: Values) -> Array:
     """What the overburden acts on at failure: min( C1 X + C2 D , C3 D ), m, shape (n,)."""
     C1, C2, C3 = sand_coefficients(friction_angle)
-    return np.minimum(C1 * depth + C2 * diameter, C3 * diameter)
+    return np.asarray(np.minimum(C1 * depth + C2 * diameter, C3 * diameter))
 
 
 def sand_coefficients(friction_angle: Values) -> Array:
