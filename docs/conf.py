@@ -1,4 +1,4 @@
-"""Sphinx builds the manual; what code knows (keywords, schema) is written from the code."""
+"""Sphinx builds the manual; what code knows (keywords, schema, curves) is made by the code."""
 
 import sys
 from pathlib import Path

@@ -1,16 +1,19 @@
-"""Pages of the manual that are made from the code."""
+"""Pages and figures of the manual that are made from the code."""
 
 from pathlib import Path
+
+from law_figures import write_figures
 
 from podeep.database.schema import VARIABLES
 from podeep.deck.keywords import KEYWORDS, describe
 
 
 def write_pages(folder: Path) -> None:
-    """Write the generated pages into a folder."""
+    """Write the generated pages and figures into a folder."""
     folder.mkdir(exist_ok=True)
     (folder / "keywords.md").write_text(keywords(), encoding="utf-8")
     (folder / "schema.md").write_text(schema(), encoding="utf-8")
+    write_figures(folder / "laws")
 
 
 def keywords() -> str:

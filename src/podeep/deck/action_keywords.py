@@ -92,7 +92,7 @@ SPUDCAN = Keyword(
             ),
         ),
     ),
-    "*SPUDCAN\n1 14 3 40e6 0.5 120e6 SOIL=CLAY SU=60e3 AS=30",
+    "*SPUDCAN\n1 14 3 40e6 0.5 60e6 SOIL=CLAY SU=60e3 AS=30",
     "By ISO 19905-1. Springs hold the tip: vertical, horizontal, rotational. The standard's "
     "factors KD for embedment are not public: 1 is their lower bound. Under a preload the "
     "rotational spring softens as the loads near the yield surface.",

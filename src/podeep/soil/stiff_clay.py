@@ -230,7 +230,7 @@ class StiffClay(LayeredLaw):
     cycles: Values = 100.0
 
     def __post_init__(self) -> None:
-        fewest = float(np.min(self.cycles, initial=np.inf))
+        fewest = float(np.min(np.asarray(self.cycles, dtype=float), initial=np.inf))
         if not fewest >= 1.0:
             raise InvalidData(
                 f"{fewest:g} cycles of loading are less than one",
