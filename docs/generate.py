@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from law_figures import write_figures
+from figures import write_figures
 
 from podeep.database.schema import VARIABLES
 from podeep.deck.keywords import KEYWORDS, describe

@@ -311,10 +311,10 @@ def _axial(pile: Pile, load: Demand, safety: float, end: float) -> Axial | None:
         return None
     acts = load.compression or load.tension
     required = pile.required(load, safety, end) if acts else None
-    return Axial(table, *_checks(pile.capacity(np.array([pile.length])), load), required)
+    return Axial(table, *as_it_stands(pile.capacity(np.array([pile.length])), load), required)
 
 
-def _checks(tip: PileCapacity, load: Demand) -> tuple[Check, Check]:
+def as_it_stands(tip: PileCapacity, load: Demand) -> tuple[Check, Check]:
     """The pile as it stands in compression, with its own weight, and in tension."""
     pile, plug = float(tip.pile_weight[0]), float(tip.plug_weight[0])
     found = {True: float(tip.compression_plugged[0]), False: float(tip.compression_unplugged[0])}

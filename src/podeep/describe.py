@@ -1,6 +1,6 @@
 """A scene in words: what the solver understood, in SI, with what was left to a default."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from textwrap import wrap
 from typing import Any
 
@@ -36,6 +36,15 @@ def scene_report(scene: Scene, notes: tuple[str, ...]) -> str:
     lines += [f"  {line}" for line in numerics_lines(scene)]
     if notes:
         lines += ["", "assumed", *(f"  {note}" for note in notes)]
+    return _folded(lines)
+
+
+def risk_report(risks: Sequence[str]) -> str:
+    """What is legal but risky, as the last section of the report on a scene; empty for nothing."""
+    return _folded(["", "risky", *(f"  {risk}" for risk in risks)]) if risks else ""
+
+
+def _folded(lines: Sequence[str]) -> str:
     folded = (wrap(line, 80, subsequent_indent=_indent(line)) or [""] for line in lines)
     return "\n".join(part for parts in folded for part in parts)
 

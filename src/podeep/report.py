@@ -85,7 +85,7 @@ def run_report(numbers: dict[str, Any]) -> str:
         )
     return "\n".join(
         [
-            f"{n['foundation']}  {'; '.join(n['decisions'])}",
+            *folded(f"{n['foundation']}  {'; '.join(n['decisions'])}"),
             f"    {n['elements']} elements of degree {n['degree']}, {n['steps']} steps, "
             f"{n['iterations']} iterations",
             f"    last step: head displaced {short(n['head_lateral_displacement_m'])} m, "

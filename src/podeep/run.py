@@ -1,11 +1,13 @@
 """The solver's commands as functions: from a deck's path to a database and a report."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from textwrap import wrap
 from typing import Any
 
 from .arrays import Array
+from .checks import warnings as risks_in
 from .database.target import check_target
 from .database.write import Writer
 from .deck.read import Deck, read_deck
@@ -13,6 +15,7 @@ from .errors import Interrupted, UserError
 from .files import make_folder
 from .record import Sheet, sheet
 from .report import run_report, step_table, summary
+from .risks.bearing import tip_support_check
 from .scene import Foundation, Scene
 from .soil.curves import CurveTable
 from .soil.curves import curves as soil_curves
@@ -27,7 +30,8 @@ _BLOCK = 256  # steps that are committed to the database at once
 class Run:
     """What a run did: the database it wrote (None for a deck that ends in *STOP) and its report.
 
-    failure: why the last steps are missing; empty if none are.
+    failure: why the last steps are missing; empty if none are. risks: what was told of the deck
+    before it was solved. supports: the load on supports along z against the soil's capacity.
     """
 
     deck: Path
@@ -35,6 +39,8 @@ class Run:
     solved: tuple[Solved, ...]
     database: Path | None
     failure: str
+    risks: tuple[str, ...] = ()
+    supports: tuple[str, ...] = ()
 
     def warnings(self) -> tuple[str, ...]:
         """What the user must know of results that are there."""
@@ -52,6 +58,7 @@ class Run:
             parts.append(run_report(summary(one)))
             if verbose:
                 parts.append(step_table(one))
+        parts += ["\n".join(wrap(line, 80, subsequent_indent="    ")) for line in self.supports]
         ending = f"written: {self.database}" if self.database else "checked, *STOP: nothing solved"
         return "\n".join([*parts, ending])
 
@@ -62,13 +69,23 @@ class Run:
             "title": self.title,
             "foundations": [summary(one) for one in self.solved],
             "database": str(self.database) if self.database else None,
-            "warnings": list(self.warnings()),
+            "supports": list(self.supports),
+            "warnings": [*self.risks, *self.warnings()],
             "failure": self.failure or None,
         }
 
 
-def run_deck(path: Path, directory: Path, *, force: bool, accuracy: float | None) -> Run:
+def run_deck(
+    path: Path,
+    directory: Path,
+    *,
+    force: bool,
+    accuracy: float | None,
+    tell: Callable[[str], None] = lambda risk: None,
+) -> Run:
     """Check a deck, solve it, and write NAME.dss into a directory.
+
+    tell: takes what is risky in the deck, one by one, before anything is solved.
 
     Raises UserError before anything is solved where the deck is at fault or the database could
     not be written. A step without equilibrium is no error here: the steps before it are written.
@@ -77,18 +94,23 @@ def run_deck(path: Path, directory: Path, *, force: bool, accuracy: float | None
     scene = deck.scene
     if accuracy is not None:
         scene = replace(scene, numerics=replace(scene.numerics, accuracy=accuracy))
-    if not deck.solve:
-        return Run(path, scene.title, (), None, "")
     target = directory / path.with_suffix(".dss").name
-    make_folder(directory)
-    check_target(target, force=force)
+    if deck.solve:
+        make_folder(directory)
+        check_target(target, force=force)
+    risks = tuple(risks_in(scene))
+    for risk in risks:
+        tell(risk)
+    if not deck.solve:
+        return Run(path, scene.title, (), None, "", risks)
     solved = tuple(until_interrupted(scene))
     names = scene.steps.names
     failure = "\n".join(explain(s, s.failure, names) for s in solved if s.failure)
     sheets = [sheet(scene, s) for s in solved]
     interrupted = solved[-1].interrupted
     write(target, deck, scene, sheets, failure, interrupted=interrupted, force=force)
-    return Run(path, scene.title, solved, target, failure)
+    supports = tuple(filter(None, (tip_support_check(scene, f) for f in scene.foundations)))
+    return Run(path, scene.title, solved, target, failure, risks, supports)
 
 
 def until_interrupted(scene: Scene) -> Iterator[Solved]:

@@ -112,9 +112,11 @@ def run(options: argparse.Namespace) -> ExitCode:
     """Solve a deck and write its static database."""
     from ..run import run_deck
 
-    done = run_deck(options.deck, options.directory, force=options.force, accuracy=options.accuracy)
+    done = run_deck(
+        options.deck, options.directory, force=options.force, accuracy=options.accuracy, tell=warn
+    )
     for warning in done.warnings():
-        print(f"podeep-solve: warning: {warning}", file=sys.stderr)
+        warn(warning)
     if options.json:
         print(json.dumps(done.as_json(), indent=2))
     elif not options.quiet:
@@ -125,16 +127,24 @@ def run(options: argparse.Namespace) -> ExitCode:
     return ExitCode.DONE
 
 
+def warn(warning: str) -> None:
+    """Tell what the user must know, apart from the report."""
+    print(f"podeep-solve: warning: {warning}", file=sys.stderr)
+
+
 def check(options: argparse.Namespace) -> ExitCode:
     """Tell what a deck says."""
+    from ..checks import warnings
     from ..deck.read import read_deck
-    from ..describe import scene_report
+    from ..describe import risk_report, scene_report
     from ..solve.analysis import first_model
 
     deck = read_deck(options.deck)
     for foundation in deck.scene.foundations:
         first_model(deck.scene, foundation)  # curves that cannot be evaluated are faults too
     print(scene_report(deck.scene, deck.notes))
+    if risky := risk_report(warnings(deck.scene)):
+        print(risky)
     return ExitCode.DONE
 
 
@@ -180,7 +190,7 @@ def capacity(options: argparse.Namespace) -> ExitCode:
     foundation = foundation_of(scene, options.foundation)
     found = capacity_of(scene, foundation, options.safety_factor, options.to)
     for warning in found.warnings:
-        print(f"podeep-solve: warning: {warning}", file=sys.stderr)
+        warn(warning)
     sys.stdout.write(capacity_csv(found) if options.csv else capacity_report(found) + "\n")
     if options.directory is not None and found.axial is None:
         print("podeep-solve: no picture: there is no axial capacity to draw", file=sys.stderr)
