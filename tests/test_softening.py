@@ -14,7 +14,7 @@ from podeep.deck.read import read_deck
 from podeep.soil.profile import profile_of
 
 LENGTH, DIAMETER, STIFF = 8.0, 1.0, 1e14
-PUSHED = (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.06, 0.09, 0.15, 0.3, 0.6)  # m
+PUSHED = (0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.06, 0.09, 0.15, 0.3, 0.6)  # m
 CURVES = {
     "cyclic soft clay": "*PYCURVE, CYCLIC\n1 1 40e3 8e3 0.5 0.01\n",
     "cyclic soft clay, cube root": "*PYCURVE, CYCLIC, SHAPE=POWER\n1 1 40e3 8e3 0.5 0.01\n",

@@ -51,7 +51,8 @@ class Solver:
     def __call__(self, command, *arguments):
         code = main([command, str(self.path), *arguments])
         out, err = self.capsys.readouterr()
-        assert (code, err) == (0, "")
+        told = [line for line in err.splitlines() if "warning: " not in line]
+        assert (code, told) == (0, [])  # some tables lie where a deck would be warned of
         return out
 
     def curve(self, name, depth, at):
