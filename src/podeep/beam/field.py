@@ -8,12 +8,16 @@ generalised force is in newtons and the equations are evenly scaled.
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Literal
 
 import numpy as np
 from scipy import sparse
 
 from ..arrays import Array, Index
 from .shapes import gauss_points, nodal_functions, shape_functions
+
+
+Motion = Literal["value", "slope", "rotation"]
 
 
 @dataclass(frozen=True)
@@ -23,6 +27,14 @@ class Field:
     edges: element boundaries, shape (elements + 1,), rising, m. stiffness: EI (N m2) or EA (N) of
     each element. `dofs` numbers the unknowns from the top down; internal unknowns of an element
     stand between those of its two nodes, which keeps the band as narrow as it can be.
+
+    shear_stiffness: GAs (N) of each element; None is a tube rigid in shear. With it the second
+    unknown of a node is the rotation psi of the section, not the slope. Moment and shear force
+    are in balance, GAs (w' - psi) = -EI psi'', so that the deflection's polynomial fixes psi:
+
+        psi = w' + c psi'' = w' + c w^(3) + c^2 w^(5) + ...,   c = EI / GAs
+
+    There is neither locking nor another unknown.
     """
 
     edges: Array
@@ -30,6 +42,7 @@ class Field:
     degree: int
     continuity: int
     slope_length: float = 1.0
+    shear_stiffness: Array | None = None
 
     @cached_property
     def lengths(self) -> Array:
@@ -75,53 +88,154 @@ class Field:
         inner = np.searchsorted(self.edges[1:-1], x, side="left")
         return np.asarray(inner, dtype=np.intp)
 
+    @cached_property
+    def softness(self) -> Array:
+        """c over the square of half an element's length, shape (elements,); 0 if rigid in shear."""
+        if self.shear_stiffness is None:
+            return np.zeros(len(self.lengths))
+        return np.asarray(self.stiffness / self.shear_stiffness / (0.5 * self.lengths) ** 2)
+
+    def _turned(self, xi: Array, element: Index, derivative: int) -> Array:
+        """Rotation of unmixed functions, psi times half the element's length, or d/dxi of it.
+
+        xi, element: shape (n,), a point in each element given. Returns shape (n, local).
+        """
+        softness = self.softness[element][:, None]
+        share = np.ones_like(softness)
+        total = shape_functions(xi, 1, self.degree, 1 + derivative)
+        if self.shear_stiffness is not None:
+            for order in range(3 + derivative, self.degree + 1, 2):
+                share = share * softness
+                total = total + share * shape_functions(xi, 1, self.degree, order)
+        return total
+
+    @cached_property
+    def mixture(self) -> Array | None:
+        """How functions mix for end rotations of 1 and 0 in place of slopes; None if rigid.
+
+        Shape (elements, local, local): a column for each mixed function. Only the functions of
+        the nodes' slopes are added to others, which they leave as they are at the ends.
+        """
+        if self.shear_stiffness is None:
+            return None
+        every = np.arange(len(self.lengths))
+        ends = np.stack(
+            [self._turned(np.full(len(every), xi), every, 0) for xi in (-1.0, 1.0)], axis=1
+        )
+        turning = [1, self.local - 1]
+        inverse = np.linalg.inv(ends[:, :, turning])
+        mixture = np.tile(np.eye(self.local), (len(every), 1, 1))
+        mixture[:, turning] = -inverse @ ends
+        mixture[:, :, turning] = 0.0
+        for i, row in enumerate(turning):
+            mixture[:, row, turning] = inverse[:, i]
+        return mixture
+
+    def mixed(self, values: Array, element: Index) -> Array:
+        """Values of unmixed functions, shape (n, local), as those of the functions in use."""
+        if self.mixture is None:
+            return values
+        return np.asarray((values[:, None, :] @ self.mixture[element])[:, 0])
+
     def interpolation(self, x: Array, derivative: int = 0) -> sparse.csr_array:
         """Matrix (len(x), size) from unknowns to the field, or a derivative d/dx of it, at x."""
-        element = self.elements(x)
-        half = 0.5 * self.lengths[element]
-        xi = (x - self.edges[element]) / half - 1.0
+        element, xi = self._inside(x)
         values = shape_functions(xi, self.continuity, self.degree, derivative)
-        values *= self.scale[element] / half[:, None] ** derivative
-        pointers = np.arange(len(x) + 1) * self.local
+        return self._matrix(values, element, derivative)
+
+    def rotation(self, x: Array) -> sparse.csr_array:
+        """Matrix (len(x), size) from unknowns to the rotation psi of the section at x."""
+        element, xi = self._inside(x)
+        return self._matrix(self._turned(xi, element, 0), element, 1)
+
+    def _inside(self, x: Array) -> tuple[Index, Array]:
+        """Element that holds each x, and the place in it from -1 to 1."""
+        element = self.elements(x)
+        return element, (x - self.edges[element]) / (0.5 * self.lengths[element]) - 1.0
+
+    def _matrix(self, values: Array, element: Index, derivative: int) -> sparse.csr_array:
+        """From values of unmixed functions in d/dxi^derivative, (n, local), to all unknowns."""
+        half = 0.5 * self.lengths[element]
+        values = self.mixed(values, element)
+        values = values * (self.scale[element] / half[:, None] ** derivative)
+        pointers = np.arange(len(element) + 1) * self.local
         return sparse.csr_array(
-            (values.ravel(), self.dofs[element].ravel(), pointers), shape=(len(x), self.size)
+            (values.ravel(), self.dofs[element].ravel(), pointers),
+            shape=(len(element), self.size),
         )
+
+    def top_functions(self, xi: Array, motion: Motion) -> Array:
+        """Functions of each element's top node at xi, shape (elements, n, nodal), unscaled.
+
+        motion: the field itself, its slope d/dxi, or the rotation of the section, which is the
+        slope of a tube rigid in shear; the last two in half elements.
+        """
+        count = len(self.lengths)
+        element, points = np.repeat(np.arange(count), len(xi)), np.tile(xi, count)
+        if motion == "rotation":
+            values = self._turned(points, element, 0)
+        else:
+            values = shape_functions(points, self.continuity, self.degree, int(motion == "slope"))
+        mixed = self.mixed(values, element).reshape(count, len(xi), self.local)
+        return mixed[..., : self.nodal]
+
+    def _strains(self, xi: Array) -> list[Array]:
+        """Strains of the functions in use at xi in every element, by kind, unscaled.
+
+        Each has shape (elements, n, local): w' of a stretch; of a deflection psi' and, of a tube
+        soft in shear, psi'', whose energy comes with `softness`. Lengths count in half elements.
+        """
+        count = len(self.lengths)
+        element, points = np.repeat(np.arange(count), len(xi)), np.tile(xi, count)
+        if self.continuity == 0:
+            values = [shape_functions(points, 0, self.degree, 1)]
+        else:
+            orders = (1,) if self.shear_stiffness is None else (1, 2)
+            values = [self._turned(points, element, order) for order in orders]
+        return [self.mixed(v, element).reshape(count, len(xi), self.local) for v in values]
 
     @cached_property
     def strain_modes(self) -> tuple[sparse.csr_array, Array]:
-        """Matrix to the Legendre coefficients of strain, and the stiffness of each (N m or N).
+        """Matrix to the Legendre coefficients of strains, and the stiffness of each (N m or N).
 
         Internal forces through them are in exact balance in every element, however short it is:
         rounding of the unknowns makes couples, not forces.
         """
         order = self.continuity + 1
-        count = self.local - order
         xi, weight = gauss_points(self.degree + 1)
-        strain = shape_functions(xi, self.continuity, self.degree, order)
-        legendre = np.polynomial.legendre.legvander(xi, count - 1)
-        share = np.arange(count) + 0.5
-        modes = (legendre * weight[:, None]).T @ strain * share[:, None]
-        modes[np.abs(modes) < 1e-13] = 0.0
         half = 0.5 * self.lengths
-        values = modes * self.scale[:, None, :] / half[:, None, None] ** order
-        rows = np.arange(len(half) * count).reshape(len(half), count)
-        places = (
-            np.broadcast_to(rows[:, :, None], values.shape).ravel(),
-            np.broadcast_to(self.dofs[:, None, :], values.shape).ravel(),
-        )
-        matrix = sparse.coo_array((values.ravel(), places), shape=(rows.size, self.size))
-        stiffness = (self.stiffness * half)[:, None] / share
-        return sparse.csr_array(matrix), stiffness.ravel()
+        matrices, stiffnesses = [], []
+        for kind, strain in enumerate(self._strains(xi)):
+            count = self.local - order - kind
+            if count < 1:
+                continue
+            legendre = np.polynomial.legendre.legvander(xi, count - 1)
+            share = np.arange(count) + 0.5
+            modes = (legendre * weight[:, None]).T @ strain * share[:, None]
+            modes[np.abs(modes) < 1e-13] = 0.0
+            values = modes * self.scale[:, None, :] / half[:, None, None] ** order
+            rows = np.arange(len(half) * count).reshape(len(half), count)
+            places = (
+                np.broadcast_to(rows[:, :, None], values.shape).ravel(),
+                np.broadcast_to(self.dofs[:, None, :], values.shape).ravel(),
+            )
+            matrices.append(
+                sparse.coo_array((values.ravel(), places), shape=(rows.size, self.size))
+            )
+            factor = self.stiffness * half * (self.softness if kind else 1.0)
+            stiffnesses.append((factor[:, None] / share).ravel())
+        return sparse.csr_array(sparse.vstack(matrices)), np.concatenate(stiffnesses)
 
     @cached_property
     def element_stiffness(self) -> Array:
         """Matrices of the strain energy, shape (elements, local, local), N/m."""
         order = self.continuity + 1
         xi, weight = gauss_points(self.degree + 1)
-        strain = shape_functions(xi, self.continuity, self.degree, order)
-        reference = (strain * weight[:, None]).T @ strain
         factor = self.stiffness / (0.5 * self.lengths) ** (2 * order - 1)
+        matrices = np.zeros((len(self.lengths), self.local, self.local))
+        for kind, strain in enumerate(self._strains(xi)):
+            energy = np.swapaxes(strain * weight[:, None], 1, 2) @ strain
+            matrices += (factor * (self.softness if kind else 1.0))[:, None, None] * energy
         scale = self.scale
-        matrices = factor[:, None, None] * reference
         matrices *= scale[:, :, None] * scale[:, None, :]
-        return np.asarray(matrices, dtype=np.float64)
+        return matrices

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array, Index
-from ..beam.field import Field
-from ..beam.shapes import gauss_integrals, gauss_points, shape_functions
+from ..beam.field import Field, Motion
+from ..beam.shapes import gauss_integrals, gauss_points
 
 
 @dataclass(frozen=True)
@@ -53,13 +53,13 @@ def end_forces(
     nodal = np.einsum("eij,...ej->...ei", local, q[..., field.dofs])
     if count:
         xi, weight = gauss_points(count)
-        shape = shape_functions(xi, field.continuity, field.degree)[:, rows] * weight[:, None]
-        scale = field.scale[:, rows] * (0.5 * field.lengths[:, None])
-        nodal += np.einsum("...eg,gi->...ei", spread, shape) * scale
-        if turning is not None:
-            slope = shape_functions(xi, field.continuity, field.degree, 1)[:, rows]
-            slope = slope * weight[:, None]
-            nodal += np.einsum("...eg,gi->...ei", turning, slope) * field.scale[:, rows]
+        half = 0.5 * field.lengths[:, None]
+        given: tuple[tuple[Array | None, Motion], ...] = ((spread, "value"), (turning, "rotation"))
+        for values, motion in given:
+            if values is not None:
+                shape = field.top_functions(xi, motion) * weight[:, None]
+                scale = field.scale[:, rows] * (half if motion == "value" else 1.0)
+                nodal += np.einsum("...eg,egi->...ei", values, shape) * scale
     moment = -nodal[..., 1] * field.slope_length if field.nodal == 2 else 0.0 * nodal[..., 0]
     return EndForces(field, nodal[..., 0], moment, spread, turning)
 
