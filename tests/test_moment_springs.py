@@ -67,7 +67,7 @@ def test_a_long_beam_is_pasternaks(components):
     x, weight = quadrature(edges, every, 5)
     points = [
         Points(x, weight, reaction(K, len(x))),
-        Points(x, weight, reaction(C, len(x)), derivative=1),
+        Points(x, weight, reaction(C, len(x)), motion="rotation"),
     ]
     system = System(field, components, points, [], np.zeros(0, dtype=np.intp))
     direction = np.array([1.0]) if components == 1 else np.array([0.6, 0.8])

@@ -82,14 +82,14 @@ def tube_values(results: Results, x: Array) -> dict[str, Array]:
     """Motion and internal forces of a tube at depths x, in global axes with z up."""
     shear, moment = results.shear_and_moment(x)
     displacement = results.global_vector(results.deflection(x))
-    slope = results.global_vector(results.deflection(x, 1))
+    turned = results.global_vector(results.rotation(x))
     shears, moments = results.global_vector(shear), results.global_vector(moment)
     return {
         "displacement_x": displacement[0],
         "displacement_y": displacement[1],
         "displacement_z": -results.settlement(x),
-        "rotation_x": slope[1],
-        "rotation_y": -slope[0],
+        "rotation_x": turned[1],
+        "rotation_y": -turned[0],
         "moment_x": -moments[1],
         "moment_y": moments[0],
         "shear_x": shears[0],

@@ -77,6 +77,16 @@ class Section:
         return self.youngs_modulus * self.area if override is None else override
 
     @property
+    def shear_stiffness(self) -> float:
+        """GAs, N, of a hollow circle by Cowper, J. Appl. Mech. 33 (1966), unless it is given."""
+        if self.shear_stiffness_override is not None:
+            return self.shear_stiffness_override
+        nu, m = self.poisson_ratio, (self.inner_diameter / self.outer_diameter) ** 2
+        share = 6.0 * (1.0 + nu) * (1.0 + m) ** 2
+        share /= (7.0 + 6.0 * nu) * (1.0 + m) ** 2 + (20.0 + 12.0 * nu) * m
+        return share * self.area * self.youngs_modulus / (2.0 * (1.0 + nu))
+
+    @property
     def mass(self) -> float:
         """Mass of the tube alone, kg/m."""
         return self.density * self.area if self.mass_override is None else self.mass_override
@@ -303,13 +313,16 @@ class Steps:
 class Numerics:
     """What the user asks of the model; None leaves the choice to the program.
 
-    axial_curves: t-z and Q-z act; otherwise supports alone carry the tubes along z.
+    axial_curves: t-z and Q-z act; otherwise supports alone carry the tubes along z. second_order:
+    the normal force works on the slope (P-delta). shear: tubes are soft in shear.
     """
 
     accuracy: float = 1e-3
     elements: int | None = None
     degree: int | None = None
     axial_curves: bool = True
+    second_order: bool | None = None
+    shear: bool | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,6 @@ from scipy import sparse
 from ..arrays import Array, Index
 from .shapes import gauss_points, nodal_functions, shape_functions
 
-
 Motion = Literal["value", "slope", "rotation"]
 
 
@@ -147,6 +146,12 @@ class Field:
         """Matrix (len(x), size) from unknowns to the rotation psi of the section at x."""
         element, xi = self._inside(x)
         return self._matrix(self._turned(xi, element, 0), element, 1)
+
+    def motion(self, x: Array, motion: Motion) -> sparse.csr_array:
+        """Matrix (len(x), size) from unknowns to a motion at x."""
+        if motion == "rotation":
+            return self.rotation(x)
+        return self.interpolation(x, int(motion == "slope"))
 
     def _inside(self, x: Array) -> tuple[Index, Array]:
         """Element that holds each x, and the place in it from -1 to 1."""

@@ -81,6 +81,28 @@ MODEL = Keyword(
                     otherwise="by the solver",
                 ),
                 Column(
+                    "PDELTA",
+                    "the normal force bends the tube further",
+                    key="second_order",
+                    kind="flag",
+                    named=True,
+                ),
+                Column(
+                    "SMALL",
+                    "small displacements: the normal force does not bend the tube",
+                    key="small",
+                    kind="flag",
+                    named=True,
+                ),
+                Column(
+                    "SHEAR",
+                    "tubes are soft in shear",
+                    key="shear",
+                    kind="switch",
+                    named=True,
+                    otherwise="where it counts",
+                ),
+                Column(
                     "TZ",
                     "t-z and Q-z curves act; OFF: a vertical support at each tip carries the tube, "
                     "and its reaction is checked against their capacity",
@@ -92,11 +114,11 @@ MODEL = Keyword(
             ),
         ),
     ),
-    "*MODEL ELEMENTS=40 ORDER=5",
+    "*MODEL, PDELTA, SHEAR=ON, ELEMENTS=40, ORDER=5",
     once=True,
     optioned=True,
     planned=(
-        *("PLANAR", "SPATIAL", "SMALL", "PDELTA", "LARGE", "SHEAR", "LENGTH", "WEIGHT"),
+        *("PLANAR", "SPATIAL", "LARGE", "LENGTH", "WEIGHT"),
         *("PATH", "HYSTERESIS"),
     ),
 )

@@ -284,8 +284,8 @@ def option_fields(
 def read_lines(paragraph: Paragraph, keyword: Keyword, faults: Faults) -> list[Values]:
     """The values of each line of a keyword whose lines are all alike; one line if it is unique."""
     row = keyword.rows[0]
-    named, _ = option_fields(paragraph, keyword, row, faults)
-    if not paragraph.lines and not named:
+    named, flags = option_fields(paragraph, keyword, row, faults)
+    if not paragraph.lines and not named and not flags:
         no_data(paragraph, row, faults)
         return []
     if not keyword.once:
@@ -293,7 +293,17 @@ def read_lines(paragraph: Paragraph, keyword: Keyword, faults: Faults) -> list[V
     line, *more = paragraph.lines or ((),)
     if more:
         faults.add(more[0][0].place, f"*{keyword.name} takes one line", "& joins two lines")
-    return [read_row([*line, *named], row, keyword, paragraph.place, faults)]
+    places = {o.text.upper(): o.place for o in paragraph.options if not o.name}
+    if not row.positional:  # bare words may stand on the line as well as after a comma
+        known = {c.name for c in row.columns if c.kind == "flag"}
+        bare = [f for f in line if not f.name and f.text.upper() in known]
+        line = tuple(f for f in line if f not in bare)
+        flags |= {f.text.upper() for f in bare}
+        places |= {f.text.upper(): f.place for f in bare}
+    values = read_row([*line, *named], row, keyword, paragraph.place, faults)
+    for flag in sorted(flags):
+        values.cells[flag], values.places[flag] = True, places[flag]
+    return [values]
 
 
 def no_data(paragraph: Paragraph, row: Row, faults: Faults) -> None:

@@ -58,7 +58,7 @@ def read_deck(path: Path) -> Deck:
     actions = read_actions(acting, tubes, faults)
     actions.complete &= given.complete("LOAD", "DISPLACE")
     _check_uses(given, foundations, tubes, actions, faults)
-    numerics = _arguments(given, "ACCURACY") | _arguments(given, "MODEL")
+    numerics = _arguments(given, "ACCURACY") | _model(given, faults)
     if not numerics.get("axial_curves", True):
         notes += _tip_supports(foundations, tubes, actions)
     elif ground is not None and actions.sound and given.complete(*_HOLDING):
@@ -200,6 +200,17 @@ def _steps(given: Sorted, actions: Actions, notes: list[str], faults: Faults) ->
     if names:
         notes.append("without *QUASISTATIC there is one step with all loads at factor 1")
     return Steps(names, ((1.0,) * len(names),))
+
+
+def _model(given: Sorted, faults: Faults) -> dict[str, Any]:
+    """What *MODEL forces; PDELTA and SMALL exclude each other."""
+    forced = _arguments(given, "MODEL")
+    small, bent = forced.pop("small", False), forced.get("second_order", False)
+    if small and bent:
+        values = given.line("MODEL")
+        assert values is not None
+        faults.add(values.places["SMALL"], "SMALL and PDELTA exclude each other", "give one")
+    return forced | ({"second_order": False} if small else {})
 
 
 def _arguments(given: Sorted, keyword: str) -> dict[str, Any]:

@@ -10,11 +10,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array, Index
-from ..beam.field import Field
+from ..beam.field import Field, Motion
 from ..beam.shapes import gauss_points
 from ..errors import Fault, UserError
 from ..scene import Dof, Foundation, Scene
 from ..soil.profile import Profile
+from ..soil.reaction import Reaction
+from .compression import compression
 from .footing import Footing, footing
 from .mesh import Stretch, stretches
 from .needs import Needs
@@ -94,7 +96,8 @@ def assemble(
     stretching = np.array([s.axial_stiffness for s in section])
     diameter = np.array([s.outer_diameter for s in section])
     slope_length = float(np.mean(np.diff(boundaries)))
-    deflection = Field(boundaries, bending, degree, 1, slope_length)
+    soft = np.array([s.shear_stiffness for s in section]) if needs.shear else None
+    deflection = Field(boundaries, bending, degree, 1, slope_length, soft)
     stretch = Field(boundaries, stretching, degree - 1, 0)
     wet = np.flatnonzero(middle > 0.0)
 
@@ -111,8 +114,13 @@ def quadrature(boundaries: Array, elements: Index, count: int) -> tuple[Array, A
     xi, weight = gauss_points(count)
     half = 0.5 * np.diff(boundaries)[elements, None]
     x = boundaries[elements, None] + half * (xi + 1.0)
-    # an edge may stand a millimetre off the mudline that it stands for
-    return np.maximum(x.ravel(), 0.0), (half * weight).ravel()
+    return x.ravel(), (half * weight).ravel()
+
+
+def in_soil(boundaries: Array, elements: Index, count: int) -> tuple[Array, Array]:
+    """The same of elements below the mudline, off which an edge may stand by a millimetre."""
+    x, weight = quadrature(boundaries, elements, count)
+    return np.maximum(x, 0.0), weight
 
 
 def lateral_problem(
@@ -126,13 +134,19 @@ def lateral_problem(
     diameter: Array,
 ) -> Problem:
     """Deflection on p-y reactions, in one plane or two."""
-    x, weight = quadrature(field.edges, wet, field.degree)
+    x, weight = in_soil(field.edges, wet, field.degree)
     width = np.repeat(diameter[wet], field.degree)
     reaction = profile.lateral(x, width)
     points = [Points(x, weight, reaction), *turning(profile, x, weight, width)]
-    for kind, base in enumerate(profile.base(float(field.edges[-1]), float(diameter[-1]))):
+    shear, moment = profile.base(float(field.edges[-1]), float(diameter[-1]))
+    bases: tuple[tuple[Reaction, Motion], ...] = ((shear, "value"), (moment, "rotation"))
+    for base, motion in bases:
         if base.laws:
-            points.append(Points(field.edges[-1:], np.ones(1), base, kind, spread=False))
+            points.append(Points(field.edges[-1:], np.ones(1), base, motion, spread=False))
+    if needs.second_order:
+        every, share = quadrature(field.edges, np.arange(len(field.lengths)), field.degree)
+        free = compression(np.zeros(len(every)))
+        points.append(Points(every, share, free, "slope", compressed=True))
     if needs.components == 2 and not reaction.odd:
         raise UserError(
             Fault(
@@ -151,7 +165,10 @@ def turning(profile: Profile, x: Array, weight: Array, width: Array) -> list[Poi
     whole = profile.moment(x, width)
     own = whole.part(lambda law: not law.follows_lateral)
     following = whole.part(lambda law: law.follows_lateral)
-    both = (Points(x, weight, own, 1), Points(x, weight, following, 1, follows=0))
+    both = (
+        Points(x, weight, own, "rotation"),
+        Points(x, weight, following, "rotation", follows=0),
+    )
     return [points for points in both if points.reaction.laws]
 
 
@@ -165,7 +182,7 @@ def axial_problem(
     diameter: Array,
 ) -> Problem:
     """Stretch on t-z reactions along the shaft and Q-z at the tip."""
-    x, weight = quadrature(field.edges, wet, field.degree + 1)
+    x, weight = in_soil(field.edges, wet, field.degree + 1)
     shaft = profile.shaft(x, np.repeat(diameter[wet], field.degree + 1))
     points = [Points(x, weight, shaft)]
     if under is None:

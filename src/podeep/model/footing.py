@@ -27,7 +27,8 @@ class Footing:
     def across(self, lateral: System, q: Array) -> tuple[float, float]:
         """Horizontal load (N) and moment (N m) on the spudcan, magnitudes."""
         tip, unknowns = lateral.field.edges[-1:], q.reshape(-1, lateral.components)
-        shift, turn = (hypot(*(lateral.field.interpolation(tip, d) @ unknowns)[0]) for d in (0, 1))
+        shift = hypot(*(lateral.field.interpolation(tip) @ unknowns)[0])
+        turn = hypot(*(lateral.field.rotation(tip) @ unknowns)[0])
         moment = self.stiffness.rotational * lateral.softening * turn
         return float(self.stiffness.horizontal * shift), float(moment)
 

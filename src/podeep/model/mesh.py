@@ -58,19 +58,33 @@ def stretches(
     return tuple(pieces)
 
 
+def bent_lengths(stretch: Stretch, profile: Profile) -> Array:
+    """(4 EI / k)^(1/4) at evenly spread points of a stretch, (samples,), m; inf without soil."""
+    x, width = _samples(stretch)
+    modulus = _modulus(profile.lateral(x, width), width)
+    with np.errstate(divide="ignore"):
+        return np.asarray((4.0 * stretch.section.bending_stiffness / modulus) ** 0.25)
+
+
 def characteristic_lengths(stretch: Stretch, profile: Profile) -> Array:
     """The lesser length at evenly spread points of a stretch, (samples,), m; inf without soil."""
-    diameter, section = stretch.section.outer_diameter, stretch.section
-    x = stretch.top + stretch.length * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
-    probe, width = np.full(_SAMPLES, _PROBE * diameter), np.full(_SAMPLES, diameter)
-
-    def modulus(reaction: Reaction) -> Array:
-        return np.asarray(np.maximum(reaction.evaluate(probe)[0] / probe, 0.0))
-
+    x, width = _samples(stretch)
+    modulus = _modulus(profile.shaft(x, width), width)
     with np.errstate(divide="ignore"):
-        bent = (4.0 * section.bending_stiffness / modulus(profile.lateral(x, width))) ** 0.25
-        stretched = (section.axial_stiffness / modulus(profile.shaft(x, width))) ** 0.5
-    return np.minimum(bent, stretched)
+        stretched = (stretch.section.axial_stiffness / modulus) ** 0.5
+    return np.minimum(bent_lengths(stretch, profile), stretched)
+
+
+def _samples(stretch: Stretch) -> tuple[Array, Array]:
+    """Evenly spread depths in a stretch and the diameter at each, (samples,)."""
+    x = stretch.top + stretch.length * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
+    return x, np.full(_SAMPLES, stretch.section.outer_diameter)
+
+
+def _modulus(reaction: Reaction, width: Array) -> Array:
+    """Secant modulus at a share of the diameters, N/m2."""
+    probe = _PROBE * width
+    return np.asarray(np.maximum(reaction.evaluate(probe)[0] / probe, 0.0))
 
 
 def densities(pieces: Sequence[Stretch], profile: Profile) -> list[Array]:

@@ -28,6 +28,8 @@ class Needs:
     lateral_axis: float | None
     components: int
     decisions: tuple[Decision, ...]
+    second_order: bool = False
+    shear: bool = False
 
     @property
     def direction(self) -> tuple[tuple[float, float], ...]:

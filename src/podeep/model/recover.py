@@ -19,7 +19,7 @@ class EndForces:
 
     force: shape (..., elements), N; moment: the same, N m (zero for a stretch); soil: reaction per
     length at the Gauss points, shape (..., elements, points), N/m, zero where there is no soil;
-    couple: moment per length against rotation there, N m/m, None where there is none at all.
+    couple: moment per length there, N m/m, None where there is none at all.
     """
 
     field: Field
@@ -30,38 +30,48 @@ class EndForces:
 
 
 def end_forces(
-    field: Field, q: Array, soil: Array, elements: Index, couple: Array | None = None
+    field: Field,
+    q: Array,
+    soil: Array,
+    elements: Index,
+    turning: Array | None = None,
+    swaying: Array | None = None,
 ) -> EndForces:
     """Equilibrium of each element by virtual work.
 
     q: unknowns, shape (..., n). soil: reaction at the Gauss points of `elements` in order, shape
-    (..., elements * points), N/m; couple: moment against rotation there, N m/m. An element's end
-    forces follow from its nodal functions alone, since the internal ones do not work on them.
+    (..., elements * points), N/m; turning: moment against rotation there, N m/m; swaying: moment
+    against the slope at the Gauss points of all elements. An element's end forces follow from its
+    nodal functions alone, since the internal ones do not work on them.
     """
     count = soil.shape[-1] // max(len(elements), 1)
     lead = q.shape[:-1]
 
-    def by_element(values: Array) -> Array:
+    def by_element(values: Array, where: Index) -> Array:
         whole = np.zeros((*lead, len(field.lengths), count))
-        whole[..., elements, :] = values.reshape(*lead, len(elements), count)
+        whole[..., where, :] = values.reshape(*lead, len(where), count)
         return whole
 
-    spread = by_element(soil)
-    turning = None if couple is None else by_element(couple)
+    spread = by_element(soil, elements)
+    every = np.arange(len(field.lengths))
+    couples: list[tuple[Array, Motion]] = []
+    if turning is not None:
+        couples.append((by_element(turning, elements), "rotation"))
+    if swaying is not None:
+        couples.append((by_element(swaying, every), "slope"))
     rows = range(field.nodal)
     local = field.element_stiffness[:, rows, :]
     nodal = np.einsum("eij,...ej->...ei", local, q[..., field.dofs])
     if count:
         xi, weight = gauss_points(count)
         half = 0.5 * field.lengths[:, None]
-        given: tuple[tuple[Array | None, Motion], ...] = ((spread, "value"), (turning, "rotation"))
-        for values, motion in given:
-            if values is not None:
-                shape = field.top_functions(xi, motion) * weight[:, None]
-                scale = field.scale[:, rows] * (half if motion == "value" else 1.0)
-                nodal += np.einsum("...eg,egi->...ei", values, shape) * scale
+        for values, motion in [(spread, "value"), *couples]:
+            shape = field.top_functions(xi, motion) * weight[:, None]
+            scale = field.scale[:, rows] * (half if motion == "value" else 1.0)
+            nodal += np.einsum("...eg,egi->...ei", values, shape) * scale
     moment = -nodal[..., 1] * field.slope_length if field.nodal == 2 else 0.0 * nodal[..., 0]
-    return EndForces(field, nodal[..., 0], moment, spread, turning)
+    couple = sum((c for c, _ in couples), start=np.zeros_like(spread)) if couples else None
+    return EndForces(field, nodal[..., 0], moment, spread, couple)
 
 
 def internal_forces(ends: EndForces, x: Array) -> tuple[Array, Array]:

@@ -7,11 +7,25 @@ import numpy as np
 from scipy import sparse
 
 from ..arrays import Array, Index
-from ..beam.field import Field
+from ..beam.field import Field, Motion
 from ..soil.reaction import Reaction
 from .assemble import Model
 from .recover import EndForces, end_forces, internal_forces
 from .system import secant
+
+
+def axial_ends(model: Model, axial: Array) -> EndForces:
+    """End forces of the stretch for states of unknowns, shape (..., unknowns)."""
+    system = model.axial.system
+    shaft = system.points[0]
+    u = product(axial, system.field.interpolation(shaft.x))
+    soil = shaft.reaction.evaluate(u)[0]
+    return end_forces(system.field, axial, soil, embedded(system.field))
+
+
+def compression(model: Model, axial: Array, x: Array) -> Array:
+    """Normal force at depths x, positive in compression, shape (..., len(x)), N."""
+    return internal_forces(axial_ends(model, axial), x)[0]
 
 
 @dataclass(frozen=True)
@@ -37,6 +51,10 @@ class Results:
         matrix = self.model.lateral.system.field.interpolation(x, derivative)
         return product(self._components(), matrix)
 
+    def rotation(self, x: Array) -> Array:
+        """Rotation of the section by component, shape (steps, components, len(x)), rad."""
+        return product(self._components(), self.model.lateral.system.field.rotation(x))
+
     def settlement(self, x: Array, derivative: int = 0) -> Array:
         """Axial displacement, positive down (m), or its strain d/dx, shape (steps, len(x))."""
         return product(self.axial, self.model.axial.system.field.interpolation(x, derivative))
@@ -49,10 +67,10 @@ class Results:
 
     def lateral_reaction(self, x: Array) -> Array:
         """Soil reaction by component at embedded depths, shape (steps, components, len(x)), N/m."""
-        return self._react(x, self.model.profile.lateral(x, self.diameter(x)))
+        return self._react(self.deflection(x), self.model.profile.lateral(x, self.diameter(x)))
 
-    def _react(self, x: Array, reaction: Reaction, derivative: int = 0) -> Array:
-        u = self.deflection(x, derivative)
+    def _react(self, u: Array, reaction: Reaction) -> Array:
+        """Reaction by component to motions u, shape (steps, components, n)."""
         if self.model.needs.components == 1:
             return reaction.evaluate(u[:, 0])[0][:, None]
         distance = np.hypot(u[:, 0], u[:, 1])
@@ -80,27 +98,37 @@ class Results:
         wet = embedded(system.field)
         found: list[Array] = []
         for points in system.points:
-            reaction = self._react(points.x, points.reaction, points.derivative)
+            u = product(self._components(), system.field.motion(points.x, points.motion))
+            if points.compressed:
+                found.append(-self.compression(points.x)[:, None] * u)
+                continue
+            reaction = self._react(u, points.reaction)
             if points.follows is not None:
                 reaction *= np.linalg.norm(found[points.follows], axis=1)[:, None]
             found.append(reaction)
-        couples = [
-            r for p, r in zip(system.points, found, strict=True) if p.spread and p.derivative
-        ]
-        couple = sum(couples, start=np.zeros_like(found[0])) if couples else None
+
+        def total(motion: Motion) -> Array | None:
+            """Moments along the tube against a motion, (steps, components, n)."""
+            pairs = zip(system.points, found, strict=True)
+            moments = [r for p, r in pairs if p.spread and p.motion == motion]
+            return np.sum(moments, axis=0) if moments else None
+
+        turning, swaying = total("rotation"), total("slope")
         return [
             end_forces(
-                system.field, q, found[0][:, c], wet, None if couple is None else couple[:, c]
+                system.field,
+                q,
+                found[0][:, c],
+                wet,
+                None if turning is None else turning[:, c],
+                None if swaying is None else swaying[:, c],
             )
             for c, q in enumerate(np.moveaxis(self._components(), 1, 0))
         ]
 
     @cached_property
     def _axial_ends(self) -> EndForces:
-        system = self.model.axial.system
-        shaft = system.points[0]
-        soil = shaft.reaction.evaluate(self.settlement(shaft.x))[0]
-        return end_forces(system.field, self.axial, soil, embedded(system.field))
+        return axial_ends(self.model, self.axial)
 
     def shear_and_moment(self, x: Array) -> tuple[Array, Array]:
         """Shear (N) and moment EI u'' (N m) by component, shape (steps, components, len(x)).

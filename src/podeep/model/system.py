@@ -10,7 +10,7 @@ a vector along the displacement, with the secant p/r across it and the tangent p
 import itertools
 from collections.abc import Sequence
 from copy import copy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -19,8 +19,9 @@ from scipy.linalg import lapack
 
 from ..arrays import Array, Index
 from ..beam.band import band_place, bandwidth, pairs, scatter, scatter_matrix
-from ..beam.field import Field
+from ..beam.field import Field, Motion
 from ..soil.reaction import Reaction
+from .compression import compression
 
 _FAR = 0.1  # displacement at which any soil is taken to have its capacity, m: for directions alone
 _DENSE = 40_000  # entries below which a dense product beats a sparse one (call overhead)
@@ -30,17 +31,19 @@ _DENSE = 40_000  # entries below which a dense product beats a sparse one (call 
 class Points:
     """Where a reaction acts on a field: depths x (m), weights (m; 1 for a tip), and the law.
 
-    derivative: 0 for a force against the field, 1 for a moment against its slope. follows: place
-    of the points, as many, whose current |reaction| scales this one; None: nothing does. spread:
-    the reaction acts along the field, not at one end of it.
+    motion: what the reaction resists: the field by a force, its slope or the rotation of the
+    section by a moment. follows: place of the points, as many, whose current |reaction| scales
+    this one; None: nothing does. spread: the reaction acts along the field, not at one end of it.
+    compressed: the reaction is that of the normal force, which every step gives anew.
     """
 
     x: Array
     weight: Array
     reaction: Reaction
-    derivative: int = 0
+    motion: Motion = "value"
     follows: int | None = None
     spread: bool = True
+    compressed: bool = False
 
 
 @dataclass(frozen=True)
@@ -76,8 +79,7 @@ class System:
         none = np.zeros(0)
         shape = sparse.csr_array(
             sparse.vstack(
-                [field.interpolation(p.x, p.derivative) for p in points]
-                or [field.interpolation(none)]
+                [field.motion(p.x, p.motion) for p in points] or [field.interpolation(none)]
             )
         )
         self._build_tangent(shape, springs)
@@ -157,6 +159,24 @@ class System:
         return scatter_matrix(
             place, entry, np.concatenate([s.ravel() for s in sources]), (storage, kinds * count)
         )
+
+    def compressed(self, force: Array) -> "System":
+        """The same system under a normal force (N, compression positive) at its points for it."""
+        other = copy(self)
+        other.points = tuple(
+            replace(p, reaction=compression(force)) if p.compressed else p for p in self.points
+        )
+        return other
+
+    @property
+    def compression_points(self) -> Array:
+        """Depths at which the normal force acts on the slope, m; none where it does not."""
+        return next((p.x for p in self.points if p.compressed), np.zeros(0))
+
+    def stable(self) -> bool:
+        """Whether the tangent at the last `internal` is positive definite."""
+        _, _, _, modulus = self._state
+        return self._solve(modulus, np.zeros(self.size)) is not None
 
     def outer_forces(self, q: Array, load: Array) -> Array:
         """Loads and forces of the springs to ground at each unknown, N in the field's scaling."""

@@ -15,7 +15,8 @@ from ..arrays import Array
 from ..beam.field import Field
 from ..beam.shapes import gauss_interpolation, gauss_points
 from ..model.assemble import Model, Problem
-from ..model.results import Results, embedded
+from ..model.results import Results, compression, embedded
+from ..model.system import System
 from .newton import Limits, newton
 from .statics import State
 
@@ -60,19 +61,25 @@ def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
 def _corrected(
     coarse: Problem,
     fine: Problem,
+    systems: Sequence[System],
     states: Sequence[Array],
-    softening: Sequence[float],
     factors: Array,
     limits: Limits,
 ) -> tuple[Array, Array]:
-    """States prolonged to the fine problem, and its own equilibria near them."""
+    """States prolonged to the fine problem, and its own equilibria near them, by its `systems`."""
     field, components = coarse.system.field, fine.system.components
     before = [prolong(q, field, fine.system.field, components) for q in states]
     after = [
-        newton(fine.system.softened(kept), q, fine.load(factor), limits).q
-        for q, kept, factor in zip(before, softening, factors, strict=True)
+        newton(system, q, fine.load(factor), limits).q
+        for q, system, factor in zip(before, systems, factors, strict=True)
     ]
     return np.array(before), np.array(after)
+
+
+def _as_in(state: State, model: Model, system: System) -> System:
+    """A lateral system as a state had it: its softening and its normal force."""
+    softened, x = system.softened(state.softening), system.compression_points
+    return softened.compressed(compression(model, state.axial, x)) if len(x) else softened
 
 
 def _unresolved(field: Field, coarse: Array, fine: Array) -> Array:
@@ -137,11 +144,14 @@ def estimate(
     """
     limits = Limits(residual=_RESIDUAL * accuracy)
     factors = np.array([s.factors for s in states])
-    kept = [s.softening for s in states]
+    bent = [_as_in(s, model, richer.lateral.system) for s in states]
+    stretched = [richer.axial.system] * len(states)
     lateral = _corrected(
-        model.lateral, richer.lateral, [s.lateral for s in states], kept, factors, limits
+        model.lateral, richer.lateral, bent, [s.lateral for s in states], factors, limits
     )
-    axial = _corrected(model.axial, richer.axial, [s.axial for s in states], kept, factors, limits)
+    axial = _corrected(
+        model.axial, richer.axial, stretched, [s.axial for s in states], factors, limits
+    )
     reported = Results(
         model, np.array([s.lateral for s in states]), np.array([s.axial for s in states])
     )

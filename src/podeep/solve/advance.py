@@ -1,6 +1,6 @@
 """One problem on its way through the steps, each halved where it must be."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..arrays import Array
 from ..model.assemble import Problem
@@ -44,6 +44,8 @@ class Track:
             work.iterations += outcome.work.iterations
             work.evaluations += outcome.work.evaluations
             guess = None
+            if self._buckles():
+                outcome = replace(outcome, ending=Ending.BUCKLED)
             if outcome.ending is Ending.CONVERGED:
                 self._accept(outcome)
                 reached = target
@@ -60,6 +62,11 @@ class Track:
         start = self.q + guess if guess is not None else self.q.copy()
         start[system.held] = self.problem.prescribed(factors)[system.held]
         return newton(system, start, self.problem.load(factors), self.limits, self.scale)
+
+    def _buckles(self) -> bool:
+        """Whether the state last evaluated is held by nothing but the accident of its balance."""
+        system = self.problem.system
+        return len(system.compression_points) > 0 and not system.stable()
 
     def _accept(self, outcome: Outcome) -> None:
         move = outcome.q - self.q

@@ -24,6 +24,7 @@ class Ending(Enum):
     CONVERGED = "equilibrium found"
     MECHANISM = "the tangent is singular: nothing holds the tube against this load"
     YIELDED = "the loads on the spudcan lie outside its yield surface"
+    BUCKLED = "the tube buckles: the tangent under its normal force is not positive definite"
     EXHAUSTED = "no equilibrium within the allowed iterations"
 
 

@@ -1,13 +1,14 @@
 """Quasi-static steps of one foundation: each step from the one before, halved where it must be."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
 from ..arrays import Array
 from ..model.assemble import Model
+from ..model.results import compression
 from .advance import Track
 from .newton import Ending, Limits
 from .yielding import advance_yielding
@@ -77,6 +78,8 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
         iterations, evaluations, residual, size = 0, 0, 0.0, 1.0
         # a spudcan softens under its vertical load: stretch comes before deflection
         for track in (axial, lateral):
+            if track is lateral and len(model.lateral.system.compression_points):
+                compress(model, lateral, axial.q)
             if track is lateral and model.footing is not None:
                 load = model.footing.vertical(axial.problem.system, axial.q)
                 made = advance_yielding(track, model.footing, load, before, after)
@@ -97,6 +100,13 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
         kept = lateral.problem.system.softening
         yield State(step, after, lateral.q, axial.q, *spent, kept)
         before = after
+
+
+def compress(model: Model, lateral: Track, axial: Array) -> None:
+    """Put the normal force of a state of the stretch on the deflection."""
+    system = lateral.problem.system
+    force = compression(model, axial, system.compression_points)
+    lateral.problem = replace(lateral.problem, system=system.compressed(force))
 
 
 def same_increment(factors: Array) -> list[bool]:
