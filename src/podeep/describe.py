@@ -66,6 +66,10 @@ def numerics_lines(scene: Scene) -> Iterator[str]:
         yield f"deflection of degree {numerics.degree} in an element"
     if not numerics.axial_curves:
         yield "t-z and Q-z curves are left out (TZ=OFF): supports alone carry the tubes along z"
+    if numerics.second_order:
+        yield "the normal force bends the tubes further (PDELTA)"
+    if numerics.shear:
+        yield "tubes are soft in shear (SHEAR=ON)"
     limits = (
         f"at most {newton.iterations} iterations, forces balanced to {newton.force:g} or better"
     )

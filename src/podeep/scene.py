@@ -321,8 +321,8 @@ class Numerics:
     elements: int | None = None
     degree: int | None = None
     axial_curves: bool = True
-    second_order: bool | None = None
-    shear: bool | None = None
+    second_order: bool = False
+    shear: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -100,7 +100,7 @@ MODEL = Keyword(
                     key="shear",
                     kind="switch",
                     named=True,
-                    otherwise="where it counts",
+                    default=False,
                 ),
                 Column(
                     "TZ",

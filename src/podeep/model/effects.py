@@ -1,4 +1,4 @@
-"""Whether normal force and shear count: their share in the deflection, estimated beforehand.
+"""Normal force and shear: what they add to deflections, estimated before anything is solved.
 
 The tube stands as a semi-infinite beam on the soil's modulus k near the mudline, of characteristic
 length l = (4 EI/k)^(1/4) (Hetenyi 1946), with a free length e above it:
@@ -8,10 +8,9 @@ length l = (4 EI/k)^(1/4) (Hetenyi 1946), with a free length e above it:
     normal force  adds N/(Ncr - N) of y, Ncr the lesser of 2 EI/l^2 (a free end in soil) and
                   pi^2 EI / (2 (e + 1.3 l))^2 (a column held 1.3 l below the mudline)
 
-An estimate of this kind is right within a factor of two or so: a share of a tenth of the accuracy
-counts for the normal force. Shear counts of itself in stocky tubes alone, embedded by less than 10
-diameters, where its share exceeds the accuracy: p-y curves were calibrated with, and programs and
-their published results have, slender tubes rigid in shear. EI given without GAS is that, too.
+An estimate of this kind is right within a factor of two or so. Both effects are in the model where
+they are asked for (*MODEL, PDELTA, SHEAR=ON); what is missed without them is reported where it
+exceeds the accuracy. A tube of given EI without GAS has no known stiffness in shear.
 """
 
 from collections.abc import Sequence
@@ -20,13 +19,11 @@ from math import inf, pi
 
 import numpy as np
 
+from ..errors import Fault, UserError
 from ..scene import Foundation, Scene
 from ..soil.profile import Profile
 from .mesh import Stretch, bent_lengths
-from .needs import Decision, Needs
-
-_SLENDER = 10.0  # embedded length in diameters from which tubes are taken as rigid in shear
-_LEAST = 0.1  # of the accuracy: share of the normal force from which it counts
+from .needs import Decision, Needs, lateral_vectors
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,35 +43,34 @@ class Beam:
 
     @property
     def shear_share(self) -> float:
+        """Of the deflection of the head."""
         return self.softness * (self.free + 0.23 * self.characteristic) / self.bending
 
     def second_order_share(self, force: float) -> float:
         """Of a compression N > 0; inf where the tube buckles. Tension takes as much away."""
         length, e = self.characteristic, self.free
         column = (pi / (2.0 * (e + 1.3 * length))) ** 2
-        critical = self.stiffness * min(2.0 / length**2, column)
+        critical = self.stiffness * min(2.0 / length**2 if length else inf, column)
         return abs(force) / (critical - force) if force < critical else inf
 
 
-def beam(foundation: Foundation, pieces: Sequence[Stretch], profile: Profile) -> Beam:
-    """The tube near the mudline, where it bends."""
-    top = pieces[0].top
-    free = max(-top, 0.0)
-    travelled, depth = 0.0, 0.0
+def beam(pieces: Sequence[Stretch], profile: Profile) -> Beam:
+    """The tube near the mudline, where it bends; without soil it is free down to its tip."""
+    travelled = depth = 0.0
     for piece in pieces:
-        if not piece.embedded:
+        if travelled >= 1.0 or not piece.embedded:
             continue
-        lengths = bent_lengths(piece, profile)
-        step = piece.length / len(lengths)
-        for one in lengths.tolist():
-            if travelled < 1.0:
-                travelled += step / one
-                depth += step
-    characteristic = depth / max(travelled, 1e-12) if travelled else inf
-    near = [p.section for p in pieces if p.top < depth]
+        rates = 1.0 / bent_lengths(piece, profile)
+        step = piece.length / len(rates)
+        gone = travelled + step * np.concatenate(([0.0], np.cumsum(rates)))
+        depth = piece.top + float(np.interp(1.0, gone, step * np.arange(len(gone))))
+        travelled = float(gone[-1])
+    near = [p.section for p in pieces if p.top < depth or travelled == 0.0]
+    characteristic = depth / min(travelled, 1.0) if travelled else 0.0
+    free = -pieces[0].top if travelled else pieces[-1].bottom - pieces[0].top
     return Beam(
         characteristic,
-        free,
+        max(free, 0.0),
         min(s.bending_stiffness for s in near),
         max(s.bending_stiffness / s.shear_stiffness for s in near),
     )
@@ -97,39 +93,47 @@ def with_effects(
     pieces: Sequence[Stretch],
     profile: Profile,
 ) -> Needs:
-    """The needs with normal force and shear decided on, each with its reason."""
-    one, numerics = beam(foundation, pieces, profile), scene.numerics
+    """The needs with what is asked of normal force and shear, and what is missed without it."""
+    one, numerics = beam(pieces, profile), scene.numerics
+    driven = bool(lateral_vectors(scene, foundation))
     compression, tension = largest_forces(scene, foundation)
     sway = max(one.second_order_share(compression), one.second_order_share(-tension))
-    decisions = list(needs.decisions)
-    second_order = numerics.second_order
-    if second_order is None:
-        second_order = sway > _LEAST * numerics.accuracy
-        if compression or tension:
-            which = "P-delta" if second_order else "small displacements"
-            decisions.append(
-                Decision(which, f"the normal force adds some {sway:.1e} to deflections")
+    force = f"the normal force {{}} some {sway:.1e} to deflections"
+    if compression and sway == inf:
+        force = "the normal force may buckle the tube"
+    known = all(
+        s.section.bending_stiffness_override is None
+        or s.section.shear_stiffness_override is not None
+        for s in pieces
+    )
+    if numerics.shear and not known:
+        raise UserError(
+            Fault(
+                f"{foundation.name}: SHEAR=ON, but a section of given EI has no GAS",
+                "give its shear stiffness, GAS= at the end of its line, or leave EI= out",
             )
-    else:
-        which = "P-delta" if second_order else "small displacements"
-        decisions.append(
-            Decision(which, f"asked; the normal force adds some {sway:.1e} to deflections")
         )
-    shear = numerics.shear
-    if shear is None:
-        known = all(
-            s.section.bending_stiffness_override is None
-            or s.section.shear_stiffness_override is not None
-            for s in pieces
-        )
-        shear = known and one.shear_share > numerics.accuracy
-        if shear:
-            decisions.append(
-                Decision("shear", f"it adds some {one.shear_share:.1e} to deflections")
-            )
-    else:
-        which = "shear" if shear else "rigid in shear"
-        decisions.append(
-            Decision(which, f"asked; shear adds some {one.shear_share:.1e} to deflections")
-        )
-    return replace(needs, decisions=tuple(decisions), second_order=second_order, shear=shear)
+    found = [
+        _effect("P-delta", numerics.second_order, force, sway > numerics.accuracy and driven),
+        _effect(
+            "shear",
+            numerics.shear,
+            f"it {{}} some {one.shear_share:.1e} to deflections",
+            known and driven and one.shear_share > numerics.accuracy,
+        ),
+    ]
+    return replace(
+        needs,
+        decisions=(*needs.decisions, *(d for d in found if d is not None)),
+        second_order=numerics.second_order,
+        shear=numerics.shear,
+    )
+
+
+def _effect(name: str, asked: bool, reason: str, counts: bool) -> Decision | None:
+    """What the report says of an effect: that it is in, or what is missed without it."""
+    if asked:
+        return Decision(name, f"asked; {reason.format('adds')}")
+    if counts:
+        return Decision(f"no {name}", reason.format("would add"))
+    return None
