@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from podeep.deck.read import read_deck
 from podeep.model.grid import output_depths
 from podeep.model.needs import needs
 from podeep.model.results import Results
@@ -21,6 +22,7 @@ from podeep.scene import (
     Support,
     Tube,
 )
+from podeep.solve.analysis import solve
 from scenes import reference_pile
 from test_newton import solved
 
@@ -187,3 +189,20 @@ def test_a_gap_around_the_tube_closes() -> None:
         assert y.max() > 0.02
         assert y.min() < -0.02
     assert found.model.needs.components == 2
+
+
+@pytest.mark.parametrize("times", [1.01, 1.5, 40.0])
+def test_the_peak_is_the_capacity_whatever_the_step(times, tmp_path):
+    """Friction of 50 kPa on 20 m of a pile of 1 m, 2 MPa under its tip, both elastic-plastic."""
+    capacity = np.pi * 50e3 * 20.0 + 0.25 * np.pi * 2e6
+    path = tmp_path / "a.deck"
+    path.write_text(
+        "*DEPTH\n0\n*GROUNDEPTH\n0\n*TZCURVE\n1 0 50e3 2e6\n*GROUNDPROP\n0 1\n*CASING\n1 P\n"
+        f"0 -20 1 0.05 210e9 7850\n*FONDATION\n1 1\n*LOAD\nDOWN 1 0 0 0 {-times * capacity!r}\n"
+        "*QUASISTATIC\n1\n*EXEC\n"
+    )
+    scene = read_deck(path).scene
+    failure = solve(scene, scene.foundations[0]).failure
+    assert failure is not None
+    # parts of 2^-16 of the step
+    assert 1.0 - 2.0**-15 * times <= failure.reached * times <= 1.0 + 1e-6

@@ -62,7 +62,7 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
     """Yield the state of every step, step 0 without load first.
 
     factors: shape (steps, names), those of steps 1 to n. Raises NoEquilibrium, after the states
-    that were found, where a step fails even in parts of 1/1024.
+    that were found, where a step fails even in its smallest parts.
     """
     lateral, axial = tracks = [
         Track(p, limits, np.zeros(p.system.size), np.zeros(p.system.size))
