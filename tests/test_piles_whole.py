@@ -47,8 +47,8 @@ def test_hetenyi_of_table_23(tmp_path, row):
     curve = linear_curve(1, row["k"] * 1e3)
     text = lateral_deck(curve, row, f"1 0.05 210e9 7850 EI={row['EI'] * 1e3!r}")
     y, moment = head_and_moment(tmp_path, text)
-    assert y == pytest.approx(row["y0_closed"], rel=1e-6)
-    assert moment == pytest.approx(row["Mmax_closed"], rel=ASKED)
+    np.testing.assert_allclose(y, row["y0_closed"], rtol=1e-6)
+    np.testing.assert_allclose(moment, row["Mmax_closed"], rtol=ASKED)
 
 
 @pytest.mark.parametrize("shape", ["power", "2geo"])
@@ -62,8 +62,8 @@ def test_soft_clay_of_table_24(tmp_path, row, shape):
         f"{row['J']!r} {row['eps50']!r}\n"
     )
     y, moment = head_and_moment(tmp_path, lateral_deck(curve, row, section(row)))
-    assert y == pytest.approx(row[f"y0_ref_{shape}"], rel=ASKED)
-    assert moment == pytest.approx(row[f"Mmax_ref_{shape}"], rel=ASKED)
+    np.testing.assert_allclose(y, row[f"y0_ref_{shape}"], rtol=ASKED)
+    np.testing.assert_allclose(moment, row[f"Mmax_ref_{shape}"], rtol=ASKED)
 
 
 @pytest.mark.parametrize("row", rows("25"), ids=lambda r: f"{r['kind']} H {r['H']:g}")
@@ -72,8 +72,8 @@ def test_sand_of_table_25(tmp_path, row):
     weight, k = row["gam"] * 1e3, row["k"] * 1e3
     curve = f"*PYCURVE{option}\n1 2 {weight!r} {row['phi']!r} {k!r}\n"
     y, moment = head_and_moment(tmp_path, lateral_deck(curve, row, section(row)))
-    assert y == pytest.approx(row["y0_ref"], rel=ASKED)
-    assert moment == pytest.approx(row["Mmax_ref"], rel=ASKED)
+    np.testing.assert_allclose(y, row["y0_ref"], rtol=ASKED)
+    np.testing.assert_allclose(moment, row["Mmax_ref"], rtol=ASKED)
 
 
 def section(row) -> str:
