@@ -1,7 +1,7 @@
 """Example monopiles D1 and D2 of Byrne et al., Geotechnique 70 (2020), in Cowden till: PR13.
 
-PR13_own.csv holds ground displacements of a converged solution of the same springs by others, with
-half the area in shear (Cowper's is 0.53 of it) and G0 and su read off the paper. Asked: 2 % in load.
+PR13_own.csv holds ground displacements of a converged solution of the same springs, with
+half the area in shear (Cowper: 0.53 of it), G0 and su as read off the paper. Asked: 2 % in load.
 """
 
 import csv
@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from decks import solved
 
 with (Path(__file__).parent / "data" / "valid" / "PR13_own.csv").open() as file:

@@ -6,6 +6,7 @@ own narrow band and its own convex energy.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -21,6 +22,12 @@ from .footing import Footing, footing
 from .mesh import Stretch, stretches
 from .needs import Needs
 from .system import Points, Spring, System
+
+#: How the soil acts: along each element, at its Gauss points, or as springs at its two ends, each
+#: with half of the element's length.
+Reactions = Literal["integrated", "lumped"]
+# A spring stands just inside its element, in whose layer its curve lies.
+_ENDS = (np.array([-1.0, 1.0]) * (1.0 - 1e-9), np.ones(2))
 
 # Component of the deflection that a degree of freedom moves, its derivative, and its sign there.
 _LATERAL: Mapping[Dof, tuple[int, int, float]] = {
@@ -62,6 +69,7 @@ class Model:
     lateral: Problem
     axial: Problem
     footing: Footing | None = None
+    reactions: Reactions = "integrated"
 
     @property
     def edges(self) -> Array:
@@ -87,6 +95,7 @@ def assemble(
     pieces: Sequence[Stretch],
     boundaries: Array,
     degree: int,
+    reactions: Reactions = "integrated",
 ) -> Model:
     """Build both problems on the given element boundaries with deflections of a degree."""
     middle = 0.5 * (boundaries[:-1] + boundaries[1:])
@@ -103,24 +112,34 @@ def assemble(
 
     spudcan = scene.spudcan(foundation)
     under = footing(spudcan) if spudcan else None
-    place = (scene, foundation, under)
-    lateral = lateral_problem(*place, needs, deflection, profile, wet, diameter)
-    axial = axial_problem(*place, stretch, profile, wet, diameter)
-    return Model(foundation, needs, tuple(pieces), profile, lateral, axial, under)
+    place, soil = (scene, foundation, under), (profile, wet, diameter, reactions)
+    lateral = lateral_problem(*place, needs, deflection, *soil)
+    axial = axial_problem(*place, stretch, *soil)
+    return Model(foundation, needs, tuple(pieces), profile, lateral, axial, under, reactions)
 
 
 def quadrature(boundaries: Array, elements: Index, count: int) -> tuple[Array, Array]:
     """Depths and weights (m) of the Gauss points of some elements, shape (elements * count,)."""
-    xi, weight = gauss_points(count)
+    return _spread(boundaries, elements, gauss_points(count))
+
+
+def _spread(boundaries: Array, elements: Index, rule: tuple[Array, Array]) -> tuple[Array, Array]:
+    xi, weight = rule
     half = 0.5 * np.diff(boundaries)[elements, None]
     x = boundaries[elements, None] + half * (xi + 1.0)
     return x.ravel(), (half * weight).ravel()
 
 
-def in_soil(boundaries: Array, elements: Index, count: int) -> tuple[Array, Array]:
-    """The same of elements below the mudline, off which an edge may stand by a millimetre."""
-    x, weight = quadrature(boundaries, elements, count)
-    return np.maximum(x, 0.0), weight
+def in_soil(
+    boundaries: Array, elements: Index, count: int, diameter: Array, reactions: Reactions
+) -> tuple[Array, Array, Array]:
+    """Depths, weights and diameters where the soil acts on elements below the mudline.
+
+    An edge may stand off the mudline by a millimetre. diameter: of every element.
+    """
+    rule = gauss_points(count) if reactions == "integrated" else _ENDS
+    x, weight = _spread(boundaries, elements, rule)
+    return np.maximum(x, 0.0), weight, np.repeat(diameter[elements], len(rule[0]))
 
 
 def lateral_problem(
@@ -132,10 +151,10 @@ def lateral_problem(
     profile: Profile,
     wet: Index,
     diameter: Array,
+    reactions: Reactions,
 ) -> Problem:
     """Deflection on p-y reactions, in one plane or two."""
-    x, weight = in_soil(field.edges, wet, field.degree)
-    width = np.repeat(diameter[wet], field.degree)
+    x, weight, width = in_soil(field.edges, wet, field.degree, diameter, reactions)
     reaction = profile.lateral(x, width)
     points = [Points(x, weight, reaction), *turning(profile, x, weight, width)]
     shear, moment = profile.base(float(field.edges[-1]), float(diameter[-1]))
@@ -180,10 +199,11 @@ def axial_problem(
     profile: Profile,
     wet: Index,
     diameter: Array,
+    reactions: Reactions,
 ) -> Problem:
     """Stretch on t-z reactions along the shaft and Q-z at the tip."""
-    x, weight = in_soil(field.edges, wet, field.degree + 1)
-    shaft = profile.shaft(x, np.repeat(diameter[wet], field.degree + 1))
+    x, weight, width = in_soil(field.edges, wet, field.degree + 1, diameter, reactions)
+    shaft = profile.shaft(x, width)
     points = [Points(x, weight, shaft)]
     if under is None:
         tip = profile.tip(float(field.edges[-1]), float(diameter[-1]))

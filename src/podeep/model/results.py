@@ -18,6 +18,8 @@ def axial_ends(model: Model, axial: Array) -> EndForces:
     """End forces of the stretch for states of unknowns, shape (..., unknowns)."""
     system = model.axial.system
     shaft = system.points[0]
+    if model.reactions == "lumped":  # springs at the ends of an element are no load inside it
+        return end_forces(system.field, axial, np.zeros((*axial.shape[:-1], 0)), np.zeros(0, int))
     u = product(axial, system.field.interpolation(shaft.x))
     soil = shaft.reaction.evaluate(u)[0]
     return end_forces(system.field, axial, soil, embedded(system.field))
@@ -113,12 +115,14 @@ class Results:
             moments = [r for p, r in pairs if p.spread and p.motion == motion]
             return np.sum(moments, axis=0) if moments else None
 
-        turning, swaying = total("rotation"), total("slope")
+        turning, swaying, soil = total("rotation"), total("slope"), found[0]
+        if self.model.reactions == "lumped":
+            soil, turning = np.zeros((*soil.shape[:2], len(wet) * system.field.degree)), None
         return [
             end_forces(
                 system.field,
                 q,
-                found[0][:, c],
+                soil[:, c],
                 wet,
                 None if turning is None else turning[:, c],
                 None if swaying is None else swaying[:, c],

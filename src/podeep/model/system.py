@@ -250,16 +250,21 @@ class System:
         that has to close): the energy still falls along the answer, and the residual that decides
         on equilibrium stays the exact one.
         """
-        _, distance, force, modulus = self._state
+        _, _, _, modulus = self._state
         x = self._solve(modulus, right)
         if x is None:
             x = self._solve(np.maximum(modulus, 0.0), right)
         if x is None:
-            secants = secant(force, distance, modulus)
-            x = self._solve(secants, right, across=secants)
+            x = self.solve_by_secants(right)
         if x is None:
             x = self._solve(self._capacity_moduli, right, across=self._capacity_moduli)
         return x
+
+    def solve_by_secants(self, right: Array) -> Array | None:
+        """Solve with the secant moduli at the last `internal`; None for a mechanism."""
+        _, distance, force, modulus = self._state
+        secants = secant(force, distance, modulus)
+        return self._solve(secants, right, across=secants)
 
     def restrained(self) -> bool:
         """Whether soil and holds carry any small load, wherever the soil has some capacity."""

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
+from typing import Literal
 
 import numpy as np
 from scipy.linalg import blas
@@ -28,9 +29,14 @@ class Ending(Enum):
     EXHAUSTED = "no equilibrium within the allowed iterations"
 
 
+#: How the iteration goes on: along tangents with a line search, along tangents with full steps, as
+#: plain Newton does, or along secants with a line search.
+Method = Literal["line search", "full steps", "secant"]
+
+
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """When to stop.
+    """How to iterate and when to stop.
 
     residual: largest force out of balance over the largest force. increment: largest part of an
     unknown that the last step moved over the largest unknown. iterations: most of them.
@@ -39,6 +45,7 @@ class Limits:
     residual: float
     increment: float = np.inf
     iterations: int = 60
+    method: Method = "line search"
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,6 +99,8 @@ def newton(
             residual[system.held] = 0.0
         return internal, residual
 
+    solve = system.solve_by_secants if limits.method == "secant" else system.solve
+    go = whole_step if limits.method == "full steps" else search
     least = max(largest(load), _REST * scale.force)
     q, increment = start, 0.0
     internal, residual = evaluate(q)
@@ -104,7 +113,7 @@ def newton(
             break
         if remaining == 0:
             break
-        step = system.solve(residual)
+        step = solve(residual)
         work.iterations += 1
         if step is None or not np.isfinite(slope := float(step @ residual)):
             ending = Ending.MECHANISM
@@ -115,7 +124,7 @@ def newton(
             ending = Ending.CONVERGED
             break
         before = q
-        q, internal, residual = search(evaluate, q, step, slope)
+        q, internal, residual = go(evaluate, q, step, slope)
         increment = largest(q - before) / reach if reach else 0.0
     return Outcome(q, internal, ending, worst / size if size else 0.0, work)
 
@@ -128,6 +137,13 @@ def largest(x: Array) -> float:
 def rounding(system: System, q: Array) -> float:
     """What rounding alone may leave of the residual, N."""
     return 64.0 * _EPS * float((system.diagonal * np.abs(q)).max())
+
+
+def whole_step(
+    evaluate: Callable[[Array], tuple[Array, Array]], q: Array, step: Array, slope: float
+) -> tuple[Array, Array, Array]:
+    """The end of `step`, wherever that leads."""
+    return q + step, *evaluate(q + step)
 
 
 def search(
