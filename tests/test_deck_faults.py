@@ -57,7 +57,7 @@ KINDS = {
     "no data": ("*ACCURACY\n1e-4", "*ACCURACY", "*ACCURACY", "*ACCURACY has no data"),
     "no text": ("Pile in two layers\n", "", "*TITLE", "*TITLE has no text"),
     "no line after &": ("*EXEC", "*EXEC &", "&", "& joins the next line, but none follows"),
-    "option in data": ("*MODEL ELEMENTS=20", "*MODEL PLANAR", "PLANAR", "PLANAR of *MODEL is not"),
+    "option in data": ("*MODEL ELEMENTS=20", "*MODEL LARGE", "LARGE", "LARGE of *MODEL is not"),
     "IKTSO as a curve": ("3 2 3 2\n", "3 2 1e8 0\n", "1e8", "looks like IKTSO"),
     "misspelt end": ("*EXEC", "*EXECUTE", "*EXECUTE", "there is no keyword *EXECUTE"),
     "misspelt tube": ("*CASING", "*CASSING", "*CASSING", "there is no keyword *CASSING"),

@@ -1,6 +1,7 @@
 """Normal force on a bent tube: CF13 (Hetenyi's beam-column on soil), statics, buckling."""
 
 import csv
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -143,3 +144,21 @@ def test_the_report_tells_what_is_missed(tmp_path, capsys):
     assert main(["run", str(path), "-o", str(tmp_path)]) == 0
     told = " ".join(capsys.readouterr().out.split())
     assert "no P-delta: the normal force would add some" in told
+
+
+def test_the_plane_may_be_forced(tmp_path, capsys):
+    path = tmp_path / "a.deck"
+    heads = []
+    for words in ("PLANAR", "SPATIAL"):
+        path.write_text(column(1e6, "1e5 0 0", asked=words))
+        assert main(["run", str(path), "-o", str(tmp_path), "--force", "--json"]) == 0
+        told = json.loads(capsys.readouterr().out)["foundations"][0]
+        assert told["decisions"][0].startswith(words.lower())
+        heads.append(told["head_lateral_displacement_m"])
+    assert heads[1] == pytest.approx(heads[0], rel=1e-6)
+    path.write_text(column(1e6, "1e5 0 0 1e5 0 0", asked="PLANAR"))
+    assert main(["check", str(path)]) == 2
+    assert "PLANAR, but its loads, supports and springs share no plane" in capsys.readouterr().err
+    path.write_text(column(1e6, "1e5 0 0", asked="PLANAR, SPATIAL"))
+    assert main(["check", str(path)]) == 2
+    assert "PLANAR and SPATIAL exclude each other" in capsys.readouterr().err

@@ -314,7 +314,8 @@ class Numerics:
     """What the user asks of the model; None leaves the choice to the program.
 
     axial_curves: t-z and Q-z act; otherwise supports alone carry the tubes along z. second_order:
-    the normal force works on the slope (P-delta). shear: tubes are soft in shear.
+    the normal force works on the slope (P-delta). shear: tubes are soft in shear. components:
+    lateral deflections that are solved, 1 in a plane or 2.
     """
 
     accuracy: float = 1e-3
@@ -323,6 +324,7 @@ class Numerics:
     axial_curves: bool = True
     second_order: bool = False
     shear: bool = False
+    components: Literal[1, 2] | None = None
 
 
 @dataclass(frozen=True, slots=True)

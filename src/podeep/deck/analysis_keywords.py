@@ -81,9 +81,23 @@ MODEL = Keyword(
                     otherwise="by the solver",
                 ),
                 Column(
+                    "PLANAR",
+                    "deflections in one plane",
+                    key="planar",
+                    kind="flag",
+                    named=True,
+                ),
+                Column(
+                    "SPATIAL",
+                    "deflections in x and y",
+                    key="spatial",
+                    kind="flag",
+                    named=True,
+                ),
+                Column(
                     "PDELTA",
                     "the normal force bends the tube further",
-                    key="second_order",
+                    key="pdelta",
                     kind="flag",
                     named=True,
                 ),
@@ -118,7 +132,7 @@ MODEL = Keyword(
     once=True,
     optioned=True,
     planned=(
-        *("PLANAR", "SPATIAL", "LARGE", "LENGTH", "WEIGHT"),
+        *("LARGE", "LENGTH", "WEIGHT"),
         *("PATH", "HYSTERESIS"),
     ),
 )

@@ -202,15 +202,25 @@ def _steps(given: Sorted, actions: Actions, notes: list[str], faults: Faults) ->
     return Steps(names, ((1.0,) * len(names),))
 
 
+#: words of *MODEL that exclude each other: what the scene calls their choice, and its values
+_CHOICES = (
+    ("SMALL", "PDELTA", "second_order", (False, True)),
+    ("PLANAR", "SPATIAL", "components", (1, 2)),
+)
+
+
 def _model(given: Sorted, faults: Faults) -> dict[str, Any]:
-    """What *MODEL forces; PDELTA and SMALL exclude each other."""
+    """What *MODEL forces."""
+    values = given.line("MODEL")
     forced = _arguments(given, "MODEL")
-    small, bent = forced.pop("small", False), forced.get("second_order", False)
-    if small and bent:
-        values = given.line("MODEL")
-        assert values is not None
-        faults.add(values.places["SMALL"], "SMALL and PDELTA exclude each other", "give one")
-    return forced | ({"second_order": False} if small else {})
+    for first, second, name, choices in _CHOICES:
+        one, other = (bool(forced.pop(word.lower(), False)) for word in (first, second))
+        if one and other and values is not None:
+            message = f"{first} and {second} exclude each other"
+            faults.add(values.places[first], message, "give one")
+        elif one or other:
+            forced[name] = choices[other]
+    return forced
 
 
 def _arguments(given: Sorted, keyword: str) -> dict[str, Any]:

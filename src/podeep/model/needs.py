@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from math import atan2, cos, degrees, hypot, pi, radians, sin
 
+from ..errors import Fault, UserError
 from ..scene import Foundation, Scene
 
 
@@ -101,6 +102,17 @@ def needs(scene: Scene, foundation: Foundation) -> Needs:
     axial = () if scene.numerics.axial_curves else (held,)
     vectors = lateral_vectors(scene, foundation)
     axis = common_axis(vectors)
+    asked = scene.numerics.components
+    shared = axis is not None and (axis in (0.0, 90.0) or isotropic(scene, foundation))
+    if asked == 1 and not shared:
+        raise UserError(
+            Fault(
+                f"{foundation.name}: PLANAR, but its loads, supports and springs share no plane",
+                "leave PLANAR out, or give all loads one plane",
+            )
+        )
+    if asked == 2:
+        return Needs(axis, 2, (Decision("spatial", "asked"), *axial))
     if axis is None:
         return Needs(None, 2, (Decision("spatial", "the loads share no plane"), *axial))
     if axis in (0.0, 90.0) or isotropic(scene, foundation):
