@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from podeep.scene import Curve, Ground
+from podeep.soil.axial import alpha_friction
 from podeep.soil.profile import Profile
 from podeep.soil.sand import Sand
 from podeep.soil.soft_clay import SoftClay
@@ -177,3 +178,17 @@ class TestInterpolation:
         single = profile((0, 10), (one, one), loads=True).lateral(Z, D)
         assert [t.weight for t in single.laws] == [None]
         np.testing.assert_allclose(single.evaluate(u)[0], 1.5e4)
+
+
+def test_adhesion_is_the_mean_over_the_clay_of_twenty_diameters():
+    """ISO's clay of 20 kPa over 5 m, then 60 kPa: alpha of API by a fine sum."""
+    given = {"effective_unit_weight": 8e3, "overconsolidation_ratio": 2.0}
+    soft, firm = (
+        Curve(i, "iso_clay", {"undrained_shear_strength": su, **given}, {})
+        for i, su in ((1, 20e3), (2, 60e3))
+    )
+    (term,) = profile((0, 5, 5, 60), (soft, soft, firm, firm)).lateral(Z[:1], D[:1]).laws
+    z = 30.0 * (np.arange(300_000) + 0.5) / 300_000
+    su = np.where(z < 5.0, 20e3, 60e3)
+    alpha = alpha_friction(su, 8e3 * z) / su
+    assert term.law.adhesion[0] == pytest.approx(alpha.mean(), rel=1e-5)

@@ -1,10 +1,12 @@
 """A leg on a spudcan: closed forms of a cantilever on springs, and loads near the yield surface."""
 
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from podeep.checks import warnings
 from podeep.cli.solve import main
 from podeep.database.read import open_database
 from podeep.deck.read import read_deck
@@ -95,10 +97,22 @@ def test_loads_outside_the_surface_end_the_run_and_keep_the_steps(tmp_path, caps
     assert main(["run", str(path), "-o", str(tmp_path)]) == 1
     message = capsys.readouterr().err
     assert "the loads on the spudcan lie outside its yield surface" in message
-    assert "there it carries V 4e+07 N, H 1e+06 N, M 6.3e+07 N m" in message
-    assert "of QV 1e+08 N, QH 1.2e+07 N, QM 1.05e+08 N m" in message
+    assert "there it carries V 4e+07 N, H 1." in message
+    assert "of QV 1e+08 N, QH 1.2e+07 N, QM 1.05e+08 N m; with that V and H, M up to" in message
+    assert re.search(r"beyond \d\d\.\d+% of step 3", message)
     with open_database(tmp_path / "leg.dss") as database:
         assert database.status == "stopped"
+
+
+def test_the_part_of_a_step_that_is_reached_lies_on_the_surface(tmp_path):
+    """A cantilever's loads grow with one factor: rf = 1 there, whatever the steps."""
+    text = deck("1 14 3 40e6 0.2 100e6 SOIL=SAND").split("*QUASISTATIC")[0]
+    scene, one = solved(tmp_path, text.replace("1e6 0 0", "2e6 0 0") + "*QUASISTATIC\n1\n*EXEC\n")
+    surface, part = footing(scene.spudcans[0]).surface, one.failure.reached
+    inside, outside = (
+        surface.utilisation(40e6 * f, 2e6 * f, 2e6 * f * LEG) for f in (part, part + 2.0**-15)
+    )
+    assert inside <= 1.0 + 1e-9 < outside
 
 
 def test_more_weight_than_the_preload_is_outside(tmp_path):
@@ -122,3 +136,16 @@ def test_faults(tmp_path, capsys, spudcan, message):
     path.write_text(deck(spudcan))
     assert main(["check", str(path)]) == 2
     assert message in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("spudcan", "down", "message"),
+    [
+        ("1 14 3 40e6 0.5", 50e6, "uplift of 50000 kN (step 1): a spudcan without suction"),
+        ("1 14 3 40e6 0.5 9e7 SOIL=CLAY SU=60e3 GAMMA=8e3", -1e6, "the soil bears 63990 kN"),
+    ],
+)
+def test_what_a_spudcan_cannot_do_is_told_before(tmp_path, spudcan, down, message):
+    path = tmp_path / "leg.deck"
+    path.write_text(deck(spudcan).replace("-40e6", repr(down)))
+    assert any(message in line for line in warnings(read_deck(path).scene))

@@ -84,7 +84,10 @@ def _check_lines(name: str, check: Check) -> Iterator[str]:
     if name == "compression":
         parts = "pile and plug" if check.plug_weight else "the pile"
         text += f" and {_kilo(check.pile_weight + check.plug_weight)} kN of {parts} in water"
-    yield from folded(f"{text}: factor {check.factor:.4g} ({_WAYS[check.factor_plugged]})")
+    text += f": factor {check.factor:.4g}"
+    if check.factor_plugged != check.plugged:
+        text += f", that of the {_WAYS[check.factor_plugged]} way, with its own weight to carry"
+    yield from folded(text)
 
 
 def _required(found: Capacity) -> str:

@@ -16,6 +16,7 @@ from .risks.ranges import SLIPS, TUBE_SLIPS
 from .risks.risk import Risk, Value, rounded, slips
 from .risks.site import EDGE, Site
 from .scene import Foundation, Scene, Spudcan, Tube
+from .soil.spudcan_bearing import clay_bearing_capacity, sand_bearing_capacity
 from .units import short
 
 _THINNEST = 200.0  # D/t
@@ -72,6 +73,22 @@ def tube_risks(tube: Tube) -> Iterator[Risk]:
             yield Risk(subject, "wall_thickness", numbers, rule, remedy)
 
 
+def bearing_capacity(can: Spudcan) -> float | None:
+    """What the soil under a spudcan bears, N; None where too little is known of it."""
+    weight, depth = can.effective_unit_weight, can.embedment
+    if weight is None:
+        return None
+    if can.soil == "CLAY" and can.undrained_shear_strength is not None:
+        strength = can.undrained_shear_strength
+        found = clay_bearing_capacity(strength, can.diameter, depth, weight * depth)
+    elif can.soil == "SAND" and can.friction_angle is not None:
+        angle = can.friction_angle
+        found = sand_bearing_capacity(angle, can.diameter, depth, weight, weight * depth)
+    else:
+        return None
+    return float(found.capacity)
+
+
 def spudcan_risks(site: Site, can: Spudcan) -> Iterator[Risk]:
     """A spudcan's values, its embedment and its preload."""
     subject = f"{site.name} spudcan"
@@ -93,6 +110,17 @@ def spudcan_risks(site: Site, can: Spudcan) -> Iterator[Risk]:
         numbers = f"NU = {short(can.poisson_ratio)} with SOIL={can.soil}"
         rule = "it is 0.5 in undrained clay, 0.2 to 0.3 in sand (ISO 19905-1 A.9.3.4)"
         yield Risk(subject, "poisson_ratio", numbers, rule, "give that of the soil")
+    if site.load.tension:
+        step = site.load.tension_step
+        numbers = f"uplift of {rounded(site.load.tension, 'N')} (step {step})"
+        rule = "a spudcan without suction holds no uplift, its springs do (ISO 19905-1 A.9.3)"
+        yield Risk(subject, "uplift", numbers, rule, "add the leg's weight, or lower the uplift")
+    bears = bearing_capacity(can)
+    if can.preload is not None and bears is not None and can.preload > bears * (1.0 + EDGE):
+        numbers = f"V_PRELOAD = {rounded(can.preload, 'N')}, the soil bears {rounded(bears, 'N')}"
+        rule = "it would go deeper under such a preload (ISO 19905-1 A.9.3.2)"
+        remedy = "give the depth EMBED at which the soil bears it, or a smaller preload"
+        yield Risk(subject, "bearing", numbers, rule, remedy)
     load, preload = site.load.compression, can.preload
     if preload is not None and load > preload * (1.0 + EDGE):
         numbers = (

@@ -1,12 +1,14 @@
 """What came of a run and which curves were in force, in words."""
 
 from collections.abc import Iterator, Sequence
+from math import isfinite
 from textwrap import wrap
 from typing import Any
 
 import numpy as np
 
 from .arrays import Array
+from .model.effects import left_out
 from .soil.curves import CurveTable
 from .soil.reaction import Term
 from .solve.analysis import Solved
@@ -26,7 +28,9 @@ def summary(solved: Solved) -> dict[str, Any]:
     displacements, reactions, moments = np.array(last).T.tolist()
     return {
         "foundation": model.foundation.name,
-        "decisions": [str(d) for d in model.needs.decisions],
+        "decisions": [
+            str(d) for d in (*model.needs.decisions, *left_out(results, solved.accuracy))
+        ],
         "elements": model.elements,
         "degree": model.lateral.system.field.degree,
         "steps": solved.states[-1].step,
@@ -54,6 +58,8 @@ def spudcan(solved: Solved) -> dict[str, float | None] | None:
     V = under.vertical(solved.model.axial.system, state.axial)
     H, M = under.across(solved.model.lateral.system.softened(state.softening), state.lateral)
     ratio = None if under.surface is None else float(under.surface.utilisation(V, H, M))
+    if ratio is not None and not isfinite(ratio):
+        ratio = None  # no vertical load: there is nothing to compare with
     return {
         "vertical_N": V,
         "horizontal_N": H,

@@ -7,6 +7,7 @@ from math import pi
 import numpy as np
 
 from .arrays import Array
+from .capacity import demand
 from .model.footing import footing, yield_surface
 from .scene import Scene, Spudcan
 from .soil.spudcan import (
@@ -32,10 +33,18 @@ class Row:
 
 def rows(scene: Scene) -> list[Row]:
     """Every model that the deck's spudcans give enough for."""
-    return [row for spudcan in scene.spudcans for row in _rows(spudcan)]
+    return [row for spudcan in scene.spudcans for row in _rows(spudcan, _load(scene, spudcan))]
 
 
-def _rows(spudcan: Spudcan) -> Iterator[Row]:
+def _load(scene: Scene, spudcan: Spudcan) -> float:
+    """Largest compression of any step on the spudcan's tube, N: of moduli that depend on it."""
+    for foundation in scene.foundations:
+        if spudcan.tube in foundation.tubes:
+            return demand(scene, foundation).compression
+    return 0.0
+
+
+def _rows(spudcan: Spudcan, vertical: float) -> Iterator[Row]:
     radius, nu = 0.5 * spudcan.diameter, spudcan.poisson_ratio
     own = Moduli(*[spudcan.shear_modulus] * 3)
     yield Row(spudcan.tube, "deck: G, KD", own, footing(spudcan).stiffness)
@@ -46,9 +55,9 @@ def _rows(spudcan: Spudcan) -> Iterator[Row]:
         found: Array | Moduli
         if spudcan.soil == "CLAY":
             found = clay(spudcan.undrained_shear_strength, spudcan.overconsolidation_ratio)
-        elif spudcan.soil == "SAND" and spudcan.relative_density and spudcan.preload:
+        elif spudcan.soil == "SAND" and spudcan.relative_density and vertical:
             area = pi * radius**2
-            found = sand(spudcan.relative_density, spudcan.preload, area)
+            found = sand(spudcan.relative_density, vertical, area)
         else:
             continue
         moduli = found if isinstance(found, Moduli) else Moduli(found, found, found)
@@ -65,12 +74,14 @@ def text(scene: Scene) -> str:
     lines: list[str] = []
     for spudcan in scene.spudcans:
         lines += [*([""] if lines else []), *_heading(spudcan)]
+        if spudcan.soil == "SAND" and spudcan.relative_density:
+            lines.append(f"  G of sand under the deck's load, V {short(_load(scene, spudcan))} N")
         titles = ("vertical", "horizontal", "rotational", "torsional")
         lines.append(f"{'model':<30}" + "".join(f"{t:>12}" for t in titles))
         lines.append(
             f"{'':<30}" + "".join(f"{u:>12}" for u in ("N/m", "N/m", "N m/rad", "N m/rad"))
         )
-        for row in _rows(spudcan):
+        for row in _rows(spudcan, _load(scene, spudcan)):
             values = "".join(f"{float(k):>12.4g}" for k in row.stiffness)
             lines.append(f"{row.model:<30}{values}")
         lines += _bearing(spudcan)

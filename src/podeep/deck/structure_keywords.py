@@ -68,8 +68,8 @@ CASING = Keyword(
         ),
     ),
     "*CASING\n1 PILE\n-58 -75  2.134 0.070 210e9 7850\n-75 -110 2.134 0.045 210e9 7850 EI=50e9",
-    "A tube may stand above the mudline. RHO, NU, GAS, MASS, CA, FILL are kept for weight, shear "
-    "and dynamics; the statics of this version use none of them.",
+    "A tube may stand above the mudline. RHO and MASS give its weight, for capacities; NU and GAS "
+    "its stiffness in shear, for *MODEL, SHEAR=ON; CA and FILL are kept for dynamics.",
     required=True,
 )
 

@@ -99,10 +99,20 @@ def isotropic(scene: Scene, foundation: Foundation) -> bool:
 def needs(scene: Scene, foundation: Foundation) -> Needs:
     """Decide on the model of one foundation."""
     held = Decision("supports alone along z", "t-z and Q-z curves are left out (*MODEL TZ=OFF)")
-    axial = () if scene.numerics.axial_curves else (held,)
+    numerics = scene.numerics
+    asked_for = (
+        *(() if numerics.axial_curves else (held,)),
+        *((Decision("P-delta", "asked"),) if numerics.second_order else ()),
+        *((Decision("shear", "asked"),) if numerics.shear else ()),
+    )
+
+    def made(lateral_axis: float | None, components: int, lateral: Decision) -> Needs:
+        both = (numerics.second_order, numerics.shear)
+        return Needs(lateral_axis, components, (lateral, *asked_for), *both)
+
     vectors = lateral_vectors(scene, foundation)
     axis = common_axis(vectors)
-    asked = scene.numerics.components
+    asked = numerics.components
     shared = axis is not None and (axis in (0.0, 90.0) or isotropic(scene, foundation))
     if asked == 1 and not shared:
         raise UserError(
@@ -112,14 +122,14 @@ def needs(scene: Scene, foundation: Foundation) -> Needs:
             )
         )
     if asked == 2:
-        return Needs(axis, 2, (Decision("spatial", "asked"), *axial))
+        return made(axis, 2, Decision("spatial", "asked"))
     if axis is None:
-        return Needs(None, 2, (Decision("spatial", "the loads share no plane"), *axial))
+        return made(None, 2, Decision("spatial", "the loads share no plane"))
     if axis in (0.0, 90.0) or isotropic(scene, foundation):
         reason = (
             f"all loads share the plane at {axis:g} degrees from x"
             if vectors
             else ("no lateral load")
         )
-        return Needs(axis, 1, (Decision("planar", reason), *axial))
-    return Needs(axis, 2, (Decision("spatial", "supports or springs differ in x and y"), *axial))
+        return made(axis, 1, Decision("planar", reason))
+    return made(axis, 2, Decision("spatial", "supports or springs differ in x and y"))

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from math import ceil, floor
 
 from ..capacity import Check, as_it_stands
+from ..errors import InvalidData, UserError
 from ..scene import Foundation, Scene
 from ..soil.axial_capacity import PileCapacity
 from ..units import short
@@ -68,6 +69,11 @@ def full_tip(site: Site) -> Iterator[Risk]:
 
 def support(site: Site) -> Iterator[Risk]:
     """A support along z that takes more than the soil could, or what no one knows."""
+    if site.axial and site.propped and site.load.compression + site.load.tension:
+        numbers = "a support along z stands beside t-z curves that act"
+        rule = "both carry the axial load, in the ratio of their stiffness"
+        remedy = "take the support out, or let it carry alone with *MODEL TZ=OFF"
+        yield Risk(site.name, "support", numbers, rule, remedy)
     if not site.supported:
         return
     found, why = site.bearing
@@ -149,7 +155,10 @@ def _least(factor: float) -> str:
 def _longer(site: Site, safety: float) -> str:
     """The remedy of a pile that is too short for a safety factor."""
     longest = _LONGEST * site.length
-    length = site.pile.required(site.load, safety, longest).length
+    try:
+        length = site.pile.required(site.load, safety, longest).length
+    except (UserError, InvalidData):  # the ground is not known down to there
+        return "lower the load or widen the pile"
     aim = "to bear it" if safety == 1.0 else f"for a factor of {safety:g}"
     if length is None:
         return (

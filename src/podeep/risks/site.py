@@ -72,10 +72,15 @@ class Site:
         return any(tube in self.foundation.tubes for tube in holds)
 
     @property
+    def propped(self) -> bool:
+        """Whether a support holds the foundation along z."""
+        supports = [s for s in self.scene.supports if s.tube in self.foundation.tubes]
+        return any("Z" in s.dofs for s in supports)
+
+    @property
     def supported(self) -> bool:
         """Whether a support along z stands in for t-z and Q-z: the practice of concept stages."""
-        supports = [s for s in self.scene.supports if s.tube in self.foundation.tubes]
-        return any("Z" in s.dofs for s in supports) and not self.spudcan and not self.axial
+        return self.propped and not self.spudcan and not self.axial
 
     @cached_property
     def layers(self) -> Layers:

@@ -18,7 +18,7 @@ WEIGHT = "effective_unit_weight"
 STRENGTH = "undrained_shear_strength"
 _ROCK = "weak_rock"
 _WEDGE = 20.0  # diameters over which ISO 19901-4 takes adhesion and gradient of strength
-_SAMPLES = 200  # of the adhesion over that depth
+_SAMPLES = 1000  # of the adhesion in each layer of that depth
 
 
 class Surroundings:
@@ -120,15 +120,22 @@ class Surroundings:
         widths, back = np.unique(diameter, return_inverse=True)
         mean = []
         for width in widths.tolist():
-            reach = min(_WEDGE * width, self._embedded_length or np.inf)
-            z = reach * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
+            z, share = self._depths_to(_WEDGE * width)
             su = self._strength.whole.at(z)
-            ratio = np.ones(_SAMPLES)
+            ratio = np.ones(len(z))
             friction = alpha_friction(su, self.effective_overburden(z, "p-y"))
             np.divide(friction, su, out=ratio, where=su > 0.0)
-            clay = self._strength.presence.at(z)
+            clay = self._strength.presence.at(z) * share
             mean.append(float(ratio @ clay / clay.sum()) if clay.any() else 1.0)
         return np.array(mean)[back]
+
+    def _depths_to(self, reach: float) -> tuple[Array, Array]:
+        """Depths from the mudline to `reach`, many in each layer, and the length of each, m."""
+        edges = np.append(self._layers.top[self._layers.top < reach], reach)
+        # friction starts as the fourth root of depth: points crowd at the top of each layer
+        t, thickness = (np.arange(_SAMPLES) + 0.5) / _SAMPLES, np.diff(edges)[:, None]
+        z = edges[:-1, None] + thickness * t**4
+        return z.ravel(), (thickness * 4.0 * t**3 / _SAMPLES).ravel()
 
     def depth_in_rock(self, depth: Array) -> Array:
         """Depth below the surface of the rock that a point lies in, 0 above it, m."""

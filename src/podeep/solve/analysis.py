@@ -7,7 +7,7 @@ import numpy as np
 from ..arrays import Array
 from ..errors import Fault, UserError
 from ..model.assemble import Model, assemble, cut
-from ..model.effects import with_effects
+from ..model.effects import check_shear
 from ..model.mesh import edges
 from ..model.needs import needs
 from ..model.results import Results
@@ -114,7 +114,8 @@ def first_model(scene: Scene, foundation: Foundation) -> Model:
     profile = profile_of(scene, foundation)
     pieces = cut(scene, foundation, profile)
     boundaries = edges(pieces, profile, _SIZE[degree], scene.numerics.elements)
-    wanted = with_effects(needs(scene, foundation), scene, foundation, pieces, profile)
+    wanted = needs(scene, foundation)
+    check_shear(scene.numerics, foundation.name, pieces)
     model = assemble(scene, foundation, wanted, profile, pieces, boundaries, degree)
     check_restraint(model)
     return model

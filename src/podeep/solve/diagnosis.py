@@ -52,7 +52,7 @@ def advice(solved: Solved, failure: Failure) -> list[str]:
 
 def spudcan_loads(solved: Solved, failure: Failure) -> list[str]:
     """Loads on the spudcan at the last equilibrium, and what it can carry of each alone."""
-    model, kept = solved.model, solved.states[-1].softening
+    model, kept = solved.model, failure.softening
     under = model.footing
     assert under is not None
     assert under.surface is not None

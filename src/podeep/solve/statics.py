@@ -9,9 +9,11 @@ import numpy as np
 from ..arrays import Array
 from ..model.assemble import Model
 from ..model.results import compression
-from .advance import Track
+from .advance import Advance, Track
 from .newton import Ending, Limits
 from .yielding import advance_yielding
+
+_PARTS = 16  # halvings that find how much of a step a spudcan can carry
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +40,8 @@ class State:
 class Failure:
     """Where a step stopped: the part of it that was reached and the problem that gave up.
 
-    lateral, axial: unknowns of the last equilibria; which: the problem without one.
+    lateral, axial: unknowns of the last equilibria; which: the problem without one. softening: as
+    of `State`, there.
     """
 
     step: int
@@ -48,6 +51,7 @@ class Failure:
     ending: Ending
     lateral: Array
     axial: Array
+    softening: float = 1.0
 
 
 class NoEquilibrium(Exception):
@@ -75,31 +79,75 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
         if not alike[step - 1]:
             for track in tracks:
                 track.increment = None
-        iterations, evaluations, residual, size = 0, 0, 0.0, 1.0
-        # a spudcan softens under its vertical load: stretch comes before deflection
-        for track in (axial, lateral):
-            if track is lateral and len(model.lateral.system.compression_points):
-                compress(model, lateral, axial.q)
-            if track is lateral and model.footing is not None:
-                load = model.footing.vertical(axial.problem.system, axial.q)
-                made = advance_yielding(track, model.footing, load, before, after)
-            else:
-                made = track.advance(before, after)
-            if made.outcome.ending is not Ending.CONVERGED:
-                at = before + made.reached * (after - before)
-                which: Literal["lateral", "axial"] = "lateral" if track is lateral else "axial"
-                ending = made.outcome.ending
-                raise NoEquilibrium(
-                    Failure(step, made.reached, at, which, ending, lateral.q, axial.q)
-                )
-            iterations += made.work.iterations
-            evaluations += made.work.evaluations
-            residual, size = max(residual, made.outcome.residual), min(size, made.smallest)
-        energy = lateral.energy + axial.energy
-        spent = (iterations, evaluations, residual, size, energy)
-        kept = lateral.problem.system.softening
-        yield State(step, after, lateral.q, axial.q, *spent, kept)
+        start = replace(axial), replace(lateral)
+        made = [advance_stretch(axial, before, after)]
+        if made[0].outcome.ending is Ending.CONVERGED:
+            made.append(advance_deflection(model, lateral, axial, before, after))
+        last = made[-1]
+        if last.outcome.ending is not Ending.CONVERGED:
+            reached = last.reached
+            if last.outcome.ending is Ending.YIELDED:
+                reached, axial, lateral = largest_part(model, *start, before, after)
+            which: Literal["lateral", "axial"] = "lateral" if len(made) == 2 else "axial"
+            at = before + reached * (after - before)
+            kept = lateral.problem.system.softening
+            ending = last.outcome.ending
+            raise NoEquilibrium(Failure(step, reached, at, which, ending, lateral.q, axial.q, kept))
+        yield State(
+            step,
+            after,
+            lateral.q,
+            axial.q,
+            sum(m.work.iterations for m in made),
+            sum(m.work.evaluations for m in made),
+            max(m.outcome.residual for m in made),
+            min(m.smallest for m in made),
+            lateral.energy + axial.energy,
+            lateral.problem.system.softening,
+        )
         before = after
+
+
+def advance_stretch(axial: Track, before: Array, after: Array) -> Advance:
+    """Take the stretch from factors `before` to `after`: it does not depend on the deflection."""
+    return axial.advance(before, after)
+
+
+def advance_deflection(
+    model: Model, lateral: Track, axial: Track, before: Array, after: Array
+) -> Advance:
+    """Take the deflection to `after`, where the stretch already is.
+
+    The normal force bends it further, and the vertical load on a spudcan softens that.
+    """
+    if len(model.lateral.system.compression_points):
+        compress(model, lateral, axial.q)
+    if model.footing is None:
+        return lateral.advance(before, after)
+    load = model.footing.vertical(axial.problem.system, axial.q)
+    return advance_yielding(lateral, model.footing, load, before, after)
+
+
+def largest_part(
+    model: Model, axial: Track, lateral: Track, before: Array, after: Array
+) -> tuple[float, Track, Track]:
+    """The largest part of a step that leaves a spudcan within its surface, and the tracks there.
+
+    axial, lateral: where the step starts.
+    """
+    held, broken, best = 0.0, 1.0, (axial, lateral)
+    for _ in range(_PARTS):
+        part = 0.5 * (held + broken)
+        trial = replace(axial), replace(lateral)
+        factors = before + part * (after - before)
+        made = advance_stretch(trial[0], before, factors)
+        if made.outcome.ending is Ending.CONVERGED:
+            made = advance_deflection(model, trial[1], trial[0], before, factors)
+        if made.outcome.ending is Ending.CONVERGED:
+            held, best = part, trial
+        else:
+            broken = part
+    return held, *best
 
 
 def compress(model: Model, lateral: Track, axial: Array) -> None:
