@@ -148,3 +148,10 @@ def test_the_law_is_the_clay_itself_at_the_equivalent_depth():
     expected = SoftClay(law.depth, 1.0, 8e3 * law.depth, **clay(1).parameters)
     assert law.ultimate_resistance == pytest.approx(expected.ultimate_resistance)
     assert law.depth[0] > 6.0  # dense sand resists more than as much clay
+
+
+def test_depths_that_do_not_add_up_in_binary_are_layers_all_the_same():
+    depths = (0.0, 0.4, 0.4, 1.7, 1.7, 30.0)  # 0.4 + (1.7 - 0.4) is not 1.7
+    layered = profile(depths, [clay(1)] * 6, **GEORGIADIS)
+    (term,) = layered.lateral(np.array([1.0, 5.0]), np.ones(2)).laws
+    assert term.law.depth == pytest.approx([1.0, 5.0], rel=1e-9)

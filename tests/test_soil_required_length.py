@@ -162,3 +162,13 @@ def test_minimal(su, middle, pressed, pulled, weigh):
 def test_impossible(options, words):
     with pytest.raises(InvalidData, match=words):
         required_length(SANDWICH, TUBE, 60.0, **options)
+
+
+def test_own_weight_alone_asks_for_no_length():
+    """A solid bar in clay that could not bear its weight twice, pulled: the pull decides."""
+    bar = pile((2.0, 1.0, 10.0))
+    r = required_length(uniform(clay(1, 500.0, 9e3)), bar, 45.0, tension=1e5)
+    assert r.governing == "tension"
+    assert r.length is not None
+    found = axial_capacity(uniform(clay(1, 500.0, 9e3)), bar, np.array([r.length]))
+    np.testing.assert_allclose(found.tension, 2e5, rtol=1e-8)

@@ -149,3 +149,10 @@ def test_what_a_spudcan_cannot_do_is_told_before(tmp_path, spudcan, down, messag
     path = tmp_path / "leg.deck"
     path.write_text(deck(spudcan).replace("-40e6", repr(down)))
     assert any(message in line for line in warnings(read_deck(path).scene))
+
+
+def test_a_step_without_load_is_at_rest(tmp_path, capsys):
+    path = tmp_path / "leg.deck"
+    path.write_text(deck("1 14 3 40e6 0.5 100e6 SOIL=SAND").replace("1 DOWN 1", "1 DOWN 0"))
+    scene = read_deck(path).scene
+    assert solve(scene, scene.foundations[0]).states[1].softening == 1.0

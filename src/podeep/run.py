@@ -11,7 +11,7 @@ from .checks import warnings as risks_in
 from .database.target import check_target
 from .database.write import Writer
 from .deck.read import Deck, read_deck
-from .errors import Interrupted, UserError
+from .errors import Fault, Interrupted, UserError
 from .files import make_folder
 from .record import Sheet, sheet
 from .report import run_report, step_table, summary
@@ -23,6 +23,7 @@ from .soil.profile import profile_of
 from .solve.analysis import Solved, solve
 from .solve.diagnosis import explain
 
+_NEAR = 1e-6  # of the tip, m: elevations have less than all digits
 _BLOCK = 256  # steps that are committed to the database at once
 
 
@@ -164,8 +165,15 @@ def curves_at(
     """
     mudline = foundation.mudline
     tube = scene.tubes[foundation.tubes[0]]
-    if not 0.0 <= depth <= mudline - tube.tip:
-        raise UserError(f"depth {depth:g} m is outside 0 to {mudline - tube.tip:g} m, the tip")
+    length = mudline - tube.tip
+    if not 0.0 <= depth <= length + _NEAR:
+        raise UserError(
+            Fault(
+                f"depth {depth:g} m is outside 0 to {length:g} m, the tip",
+                "give --depth below the mudline, positive down, on the tube",
+            )
+        )
+    depth = min(depth, length)
     section = next(s for s in tube.sections if mudline - depth >= s.bottom - 1e-9)
     profile = profile_of(scene, foundation)
     return soil_curves(profile, depth, section.outer_diameter, displacement)

@@ -9,6 +9,7 @@ import numpy as np
 from .arrays import Array
 from .capacity import demand
 from .model.footing import footing, yield_surface
+from .report import folded
 from .scene import Scene, Spudcan
 from .soil.spudcan import (
     MODELS,
@@ -84,7 +85,7 @@ def text(scene: Scene) -> str:
         for row in _rows(spudcan, _load(scene, spudcan)):
             values = "".join(f"{float(k):>12.4g}" for k in row.stiffness)
             lines.append(f"{row.model:<30}{values}")
-        lines += _bearing(spudcan)
+        lines += [line for text_ in _bearing(spudcan) for line in folded(text_)]
     return "\n".join(lines)
 
 

@@ -130,7 +130,7 @@ TZCURVE = Keyword(
             law="cohesionless",
         ),
         Row(
-            "rows after ITYP, in place of its values",
+            "rows after ITYP and its values, in place of what these give",
             (
                 Column("Tz", "friction of the shaft", "Pa"),
                 Column("yt", f"displacement of the shaft, {RISING}", LENGTH),

@@ -109,7 +109,7 @@ class EquivalentDepths:
         """A layer as the layering sees it, for a tube of a diameter."""
         upper, lower = self._ends[layer]
         top = float(self._layers.top[layer])
-        bottom = top + float(self._layers.thickness[layer])
+        bottom = float(np.append(self._layers.top, np.inf)[layer + 1])
         if upper is None or lower is None:
             return Layer(top=top, bottom=bottom, ultimate=None)
 

@@ -87,6 +87,8 @@ def required_length(
             at.compression_plugged / compression_safety - compression - pile - soil,
             at.compression_unplugged / compression_safety - compression - pile,
         )
+        if not compression:  # nothing presses: own weight is no demand of itself
+            pressed = np.full_like(pressed, np.inf)
         return pressed, at.tension / tension_safety - tension
 
     def holds(length: Array) -> Flags:

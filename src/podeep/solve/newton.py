@@ -78,6 +78,7 @@ class Outcome:
     work: Work
 
 
+@np.errstate(over="ignore", invalid="ignore")  # what runs away is told as a mechanism
 def newton(
     system: System, start: Array, load: Array, limits: Limits, scale: Scale = NO_SCALE
 ) -> Outcome:
@@ -108,6 +109,9 @@ def newton(
     for remaining in range(limits.iterations, -1, -1):
         size = max(largest(internal), least)
         worst = largest(residual)
+        if not np.isfinite(worst):
+            ending = Ending.MECHANISM
+            break
         if worst <= limits.residual * size and increment <= limits.increment:
             ending = Ending.CONVERGED
             break

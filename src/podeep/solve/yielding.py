@@ -44,6 +44,9 @@ class _Trials:
         if made.outcome.ending is not Ending.CONVERGED:
             raise _NoEquilibrium
         loads = self.footing.across(problem.system, trial.q)
+        if not any((self.vertical, *loads)):  # at rest: nothing to be outside of
+            self.failure_ratio = 0.0
+            return kappa - 1.0
         self.failure_ratio = float(self.surface.utilisation(self.vertical, *loads))
         return kappa - target_factor(self.surface, self.vertical, *loads)
 
