@@ -21,19 +21,20 @@ soil.layers soil.surroundings soil.kinds soil.equivalent soil.reaction soil.prof
 soil.lateral_capacity soil.axial_capacity soil.required_length soil.spudcan soil.spudcan_bearing
 soil.spudcan_yield
 beam.__init__ beam.shapes beam.field beam.band
-model.__init__ model.needs model.mesh model.effects model.compression model.system model.footing model.assemble model.recover
-model.results model.grid
+model.__init__ model.needs model.mesh model.compression model.system model.footing model.assemble
+model.recover model.results model.effects model.grid
 solve.__init__ solve.newton solve.advance solve.yielding solve.statics solve.accuracy
 solve.analysis solve.diagnosis
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read
 capacity
 risks.__init__ risks.ranges risks.risk risks.curves risks.site risks.piles risks.bearing
-checks stiffness record describe report capacity_report query table picture figure soil_figure
+checks record describe report stiffness capacity_report query table picture figure soil_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result
 run
-cli.__init__ cli.common cli.podeep cli.solve
+study.__init__ study.settings study.chart study.measure study.chart_report study.chart_figure
+cli.__init__ cli.common cli.podeep cli.chart cli.solve
 """.split()
 
 FILES = sorted(SOURCE.rglob("*.py"))

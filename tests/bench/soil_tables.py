@@ -18,6 +18,8 @@ FILES = sorted(
         *TESTS.glob("test_soil_*.py"),
         *TESTS.glob("test_tables_through_decks*.py"),
         TESTS / "test_piles_whole.py",
+        TESTS / "test_lpile_piles.py",
+        TESTS / "test_pisa_piles.py",
     }
 )
 
@@ -51,7 +53,8 @@ class Recorder:
 def main() -> int:
     recorder = Recorder()
     wanted = "table or tables or soft_clay_static or soft_clay_cyclic or test_sand or friction or "
-    wanted += "bearing or unit_values or weak_rock or free_water or decks or whole or table_09"
+    wanted += "bearing or unit_values or weak_rock or free_water or decks or whole or table_09 or "
+    wanted += "pr02 or pr03 or pr13"
     code = pytest.main(["-q", "--no-header", "-k", wanted, *map(str, FILES)], [recorder])
     for test, worst in sorted(recorder.found.items()):
         if worst > ROUNDING:

@@ -13,6 +13,7 @@ from .. import __version__
 from ..errors import AnalysisFailed, ExitCode, Fault, UserError
 from ..files import make_folder
 from ..units import short
+from .chart import chart
 from .common import guarded
 
 
@@ -47,7 +48,9 @@ def parser() -> argparse.ArgumentParser:
     curves_.add_argument("deck", type=Path)
     curves_.add_argument("--depth", type=float, required=True, help="m below the mudline")
     curves_.add_argument(
-        "--at", type=numbers, help="displacements in m (rotations in rad), separated by commas"
+        "--at",
+        type=numbers,
+        help="displacements, m (rotations, rad), by commas; --at=-0.1,0 if the first is negative",
     )
     curves_.add_argument("--foundation", help="F1, F2, ...; the first one by default")
     curves_.add_argument("--csv", action="store_true", help="full precision, for other programs")
@@ -66,6 +69,14 @@ def parser() -> argparse.ArgumentParser:
     capacity_.add_argument("--csv", action="store_true", help="full precision, SI units")
     capacity_.add_argument("-o", dest="directory", type=Path, help="where to write a picture")
     capacity_.set_defaults(command=capacity)
+
+    chart_ = commands.add_parser("chart", help="speed against accuracy for this very scene")
+    chart_.add_argument("deck", type=Path)
+    chart_.add_argument("--foundation", help="F1, F2, ...; the first one by default")
+    chart_.add_argument("--quick", action="store_true", help="fewer meshes and fewer runs")
+    chart_.add_argument("--csv", action="store_true", help="every setting, full precision")
+    chart_.add_argument("-o", dest="directory", type=Path, help="where to write a picture")
+    chart_.set_defaults(command=chart)
 
     stiffness_ = commands.add_parser("stiffness", help="stiffness under spudcans, every model")
     stiffness_.add_argument("deck", type=Path)

@@ -112,9 +112,9 @@ def assemble(
 
     spudcan = scene.spudcan(foundation)
     under = footing(spudcan) if spudcan else None
-    place, soil = (scene, foundation, under), (profile, wet, diameter, reactions)
-    lateral = lateral_problem(*place, needs, deflection, *soil)
-    axial = axial_problem(*place, stretch, *soil)
+    place = (scene, foundation, under)
+    lateral = lateral_problem(*place, needs, deflection, profile, wet, diameter, reactions)
+    axial = axial_problem(*place, stretch, profile, wet, diameter, reactions)
     return Model(foundation, needs, tuple(pieces), profile, lateral, axial, under, reactions)
 
 

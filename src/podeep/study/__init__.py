@@ -1,0 +1,1 @@
+"""Studies of a scene: many solutions of it, side by side."""

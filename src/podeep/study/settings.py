@@ -1,0 +1,118 @@
+"""What a chart of speed against accuracy varies, as data, and how one setting is built."""
+
+from dataclasses import dataclass, replace
+from itertools import takewhile
+
+from ..model.assemble import Model, Reactions, assemble
+from ..model.mesh import edges
+from ..scene import Numerics, Scene
+from ..solve.newton import Method
+
+PRESETS = (1e-2, 1e-3, 1e-4, 1e-5)  # errors that are marked
+_MOST_ELEMENTS = 192  # of a series whose reactions are integrated, at least
+_LONGEST = 4.0  # ratio of the largest to the smallest number of elements, at least
+_LUMPED_MORE = 8.0  # times as many elements where reactions are lumped
+_GROWTH, _QUICK_GROWTH = 2.0**0.5, 2.0  # from one number of elements to the next
+
+
+@dataclass(frozen=True, slots=True)
+class Series:
+    """What the settings of one line in the chart share; only their number of elements differs.
+
+    spatial: two components of the deflection are solved where one would do.
+    """
+
+    degree: int
+    reactions: Reactions = "integrated"
+    method: Method = "line search"
+    spatial: bool = False
+
+    @property
+    def name(self) -> str:
+        parts = ["lumped" if self.reactions == "lumped" else f"degree {self.degree}"]
+        parts += [] if self.method == "line search" else [self.method]
+        return ", ".join([*parts, *(["spatial"] if self.spatial else [])])
+
+    @property
+    def in_deck(self) -> bool:
+        """Whether ELEMENTS and ORDER of a deck alone ask for it."""
+        return self == Series(self.degree)
+
+
+_SERIES = (
+    Series(3),
+    Series(5),
+    Series(7),
+    Series(5, method="full steps"),
+    Series(5, method="secant"),
+    Series(5, spatial=True),
+    Series(3, "lumped"),
+    Series(3, "lumped", "full steps"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """One way to solve the scene."""
+
+    series: Series
+    elements: int
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """What is measured: settings, runs of each that are timed, and the time for these, s."""
+
+    settings: tuple[Setting, ...]
+    runs: int
+    patience: float
+
+
+def plan(model: Model, *, quick: bool) -> Plan:
+    """The settings that suit the scene of a model (whose mesh does not matter)."""
+    growth = _QUICK_GROWTH if quick else _GROWTH
+    settings = [
+        Setting(series, elements)
+        for series in _SERIES
+        if not series.spatial or (model.needs.components == 1 and model.lateral.forces.any())
+        for elements in counts(len(model.pieces), growth, series.reactions == "lumped")
+    ]
+    return Plan(tuple(settings), 7 if quick else 31, 15.0 if quick else 150.0)
+
+
+def counts(least: int, growth: float, lumped: bool) -> tuple[int, ...]:
+    """Numbers of elements from the least that the tube's stretches need."""
+    most = max(_MOST_ELEMENTS, _LONGEST * least) * (_LUMPED_MORE if lumped else 1.0)
+    first = max(least, 4)
+    sizes = (round(first * growth**i) for i in range(64))
+    coarse = list(takewhile(lambda n: n < most / growth**0.5, sizes))
+    return (*coarse, round(most))
+
+
+def build(scene: Scene, base: Model, setting: Setting) -> Model:
+    """The model of a setting on the ground and stretches of another model of the scene.
+
+    Raises UserError where the curves do not allow the setting.
+    """
+    series, needs = setting.series, base.needs
+    if series.spatial:
+        needs = replace(needs, lateral_axis=None, components=2)
+    boundaries = edges(base.pieces, base.profile, 1.0, setting.elements)
+    same = (scene, base.foundation, needs, base.profile, base.pieces)
+    return assemble(*same, boundaries, series.degree, series.reactions)
+
+
+def deck_lines(numerics: Numerics, accuracy: float, setting: Setting | None) -> str:
+    """The lines of a deck that ask for an accuracy and a setting, None: the program's own choice.
+
+    The other options of *MODEL stay as they are.
+    """
+    options = ["PDELTA"] if numerics.second_order else []
+    options += ["SHEAR=ON"] if numerics.shear else []
+    options += [] if numerics.axial_curves else ["TZ=OFF"]
+    options += {None: [], 1: ["PLANAR"], 2: ["SPATIAL"]}[numerics.components]
+    if setting:
+        options += [f"ELEMENTS={setting.elements}", f"ORDER={setting.series.degree}"]
+    return "\n".join(
+        ["*ACCURACY", f"{accuracy:g}", *([", ".join(["*MODEL", *options])] * bool(options))]
+    )
