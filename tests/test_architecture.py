@@ -27,7 +27,7 @@ solve.__init__ solve.newton solve.advance solve.yielding solve.statics solve.acc
 solve.analysis solve.diagnosis
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read
-capacity
+demand embedded capacity
 risks.__init__ risks.ranges risks.risk risks.curves risks.site risks.piles risks.bearing
 checks record describe report stiffness capacity_report query table picture figure soil_figure
 session.__init__ session.question session.console session.points session.flow session.terminal

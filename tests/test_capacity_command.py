@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from podeep.capacity import rows
 from podeep.cli.solve import main
+from podeep.embedded import rows
 from podeep.errors import ExitCode
 from test_soil_tables import table
 

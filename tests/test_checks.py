@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from podeep import capacity, run
+from podeep import embedded, run
 from podeep.checks import warnings
 from podeep.cli.solve import main
 from podeep.deck.read import read_deck
@@ -227,9 +227,9 @@ def test_run_holds_the_support_against_the_capacity(tmp_path, capsys):
 
 def test_the_capacity_is_computed_once(monkeypatch, tmp_path):
     calls = []
-    real = capacity.axial_capacity
+    real = embedded.axial_capacity
     monkeypatch.setattr(
-        capacity, "axial_capacity", lambda *a, **k: calls.append(1) or real(*a, **k)
+        embedded, "axial_capacity", lambda *a, **k: calls.append(1) or real(*a, **k)
     )
     scene_ = read_deck(changed(tmp_path, ("-12e6", "-20e6"))).scene
     assert len(warnings(scene_)) == 1

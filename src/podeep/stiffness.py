@@ -7,7 +7,7 @@ from math import pi
 import numpy as np
 
 from .arrays import Array
-from .capacity import demand
+from .demand import demand
 from .model.footing import footing, yield_surface
 from .report import folded
 from .scene import Scene, Spudcan

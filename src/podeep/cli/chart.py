@@ -9,8 +9,8 @@ from ..files import make_folder
 
 def chart(options: argparse.Namespace) -> ExitCode:
     """Show which settings solve a deck how fast and how exactly."""
-    from ..capacity import foundation_of
     from ..deck.read import read_deck
+    from ..demand import foundation_of
     from ..study.chart_report import chart_csv, chart_report
     from ..study.measure import chart as chart_of
 

@@ -161,8 +161,8 @@ def check(options: argparse.Namespace) -> ExitCode:
 
 def curves(options: argparse.Namespace) -> ExitCode:
     """Show the curves in force at a depth."""
-    from ..capacity import foundation_of
     from ..deck.read import read_deck
+    from ..demand import foundation_of
     from ..report import curves_report
     from ..run import curves_at
 
@@ -193,9 +193,9 @@ def curves(options: argparse.Namespace) -> ExitCode:
 def capacity(options: argparse.Namespace) -> ExitCode:
     """Show what a foundation bears with its tip at each depth, and the length that it needs."""
     from ..capacity import capacity as capacity_of
-    from ..capacity import foundation_of
     from ..capacity_report import capacity_csv, capacity_report
     from ..deck.read import read_deck
+    from ..demand import foundation_of
 
     scene = read_deck(options.deck).scene
     foundation = foundation_of(scene, options.foundation)

@@ -7,7 +7,8 @@ from functools import cached_property
 import numpy as np
 
 from ..arrays import Array
-from ..capacity import Demand, Pile, demand
+from ..demand import Demand, demand
+from ..embedded import Pile
 from ..errors import UserError
 from ..scene import Curve, Foundation, Ground, Scene, Spudcan
 from ..soil.axial_capacity import PileCapacity
