@@ -146,6 +146,16 @@ def test_the_report_tells_what_is_missed(tmp_path, capsys):
     assert "no P-delta: the normal force would add some" in told
 
 
+@pytest.mark.parametrize(("force", "steep"), [("1e6 0 0", False), ("5e6 0 0", True)])
+def test_the_report_tells_of_steep_slopes(tmp_path, capsys, force, steep):
+    path = tmp_path / "a.deck"
+    path.write_text(column(1e6, force).replace("1e-7", "1e-3"))
+    assert main(["run", str(path), "-o", str(tmp_path), "--json"]) == 0
+    (told,) = json.loads(capsys.readouterr().out)["foundations"]
+    missed = [d for d in told["decisions"] if d.startswith("no large rotations: a slope of 0.")]
+    assert len(missed) == steep
+
+
 def test_the_plane_may_be_forced(tmp_path, capsys):
     path = tmp_path / "a.deck"
     heads = []

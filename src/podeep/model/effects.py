@@ -7,6 +7,9 @@ Measured on the solved shape, to first order, as shares of the work W of all for
 
 Each is what the load's own displacement grows by, if the rest stays as it is. The normal force adds
 more than that as it nears the critical one.
+
+A beam that turns by a slope w' has the curvature w'' / (1 + w'^2)^1.5, of which w'' alone is
+taken: at most 1.5 w'^2 of it is missing.
 """
 
 import numpy as np
@@ -51,8 +54,12 @@ def left_out(results: Results, accuracy: float) -> tuple[Decision, ...]:
     x, weight = quadrature(field.edges, np.arange(len(field.lengths)), _POINTS)
     piece = np.searchsorted([p.bottom for p in model.pieces[:-1]], x)
     found = []
+    slope = np.linalg.norm(results.deflection(x, 1)[-1], axis=0)
+    steepest = float(slope.max())
+    if 1.5 * steepest**2 > accuracy:
+        reason = f"a slope of {steepest:.2g} alters curvatures by up to {1.5 * steepest**2:.1e}"
+        found.append(Decision("no large rotations", reason))
     if not model.needs.second_order:
-        slope = np.linalg.norm(results.deflection(x, 1)[-1], axis=0)
         share = float(weight @ (results.compression(x)[-1] * slope**2)) / work
         if abs(share) > accuracy:
             verb = "add" if share > 0.0 else "take away"
