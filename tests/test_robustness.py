@@ -50,8 +50,9 @@ LAWS = {
         {"effective_unit_weight": 9e3, "relative_density": 0.7, "initial_shear_modulus": 60e6},
     ),
 }
-# On four elements in weak rock, held against rotation, Newton goes to and fro between the corners
-# of the curve until the step is cut; no other run of the grid takes more than 50.
+# In weak rock on four elements, the head held, all Gauss points reach the limit of the soil before
+# the point of no displacement is found: Newton creeps along a tangent without soil until one of
+# them turns over, or the step is cut. No other run of the grid takes more than 50.
 ITERATIONS = {"weak rock": 150}
 SOFTENING = {
     "cyclic soft clay": Curve(
