@@ -10,69 +10,21 @@ of piecewise linear laws included. Angles between one tangent and the next, or t
 alone, would turn back where a brittle law makes the curve turn sharply.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..arrays import Array
-from ..model.assemble import Problem
-from ..model.system import System
 from .bordered import Bordered
-from .newton import Limits, Scale, Work, largest, unmoved
+from .loaded import Loaded
+from .newton import Limits, Scale, largest, unmoved
 
 _ITERATIONS = 20  # of a part; one that needs more is halved
 _EASY = 6  # iterations up to which the next part may be twice as long
 _HALVINGS = 12
 _FAR = 2.0  # chord of a part over its length: more is a jump to another piece of the curve
+_SUMMIT = 14  # halvings of a part for a peak in it
 _TURNS = (1.0, 4.0, 16.0)  # lengths of the part across a kink, in smallest parts
-
-
-@dataclass
-class Loaded:
-    """A problem under its loads at factors `origin` + l `growth`, l being the load factor.
-
-    squeeze: what the normal force does to the system at l, as the system and the change of its
-    internal forces at q for each unit of l; None where nothing does.
-    """
-
-    problem: Problem
-    origin: Array
-    growth: Array
-    squeeze: Callable[[Array, float], tuple[System, Array] | None] | None = None
-    work: Work = field(default_factory=Work)
-
-    def __post_init__(self) -> None:
-        self.system = self.problem.system
-        self.load_growth = self.problem.load(self.growth)
-        self.moved = self.problem.prescribed(self.growth)
-        self.squeezed = np.zeros(self.system.size)
-
-    def factors(self, l: float) -> Array:  # noqa: E741 - the letter of the theory
-        """Factors of the named loads."""
-        return np.asarray(self.origin + l * self.growth)
-
-    def evaluate(self, q: Array, l: float) -> tuple[Array, Array]:  # noqa: E741
-        """Internal forces and what is out of balance; the latter is inf where there is no state."""
-        if self.squeeze is not None:
-            found = self.squeeze(q, l)
-            if found is None:
-                return q, np.full(len(q), np.inf)
-            self.system, self.squeezed = found
-        internal = self.system.internal(q)
-        self.work.evaluations += 1
-        residual = self.problem.load(self.factors(l)) - internal
-        residual[self.system.held] = 0.0
-        return internal, residual
-
-    def pull(self) -> Array:
-        """p at the last state evaluated; what they move by in the places of held unknowns."""
-        pull = self.load_growth - self.squeezed
-        held = self.system.held
-        if len(held):
-            pull = pull - self.system.tangent_times(self.moved)
-            pull[held] = self.moved[held]
-        return np.asarray(pull)
 
 
 @dataclass(frozen=True)
@@ -107,39 +59,24 @@ class Metric:
         return direction[0] / size, direction[1] / size
 
 
-class Walk:
-    """Goes along the curve of a loaded problem from one stable state on."""
+@dataclass(frozen=True)
+class Control:
+    """How points of a curve are found: the measure of lengths, the limits, sizes of the run."""
 
-    def __init__(self, loaded: Loaded, q: Array, limits: Limits, scale: Scale) -> None:
-        self.loaded, self.limits, self.scale = loaded, limits, scale
-        internal, _ = loaded.evaluate(q, 0.0)
-        force = max(largest(internal), scale.force)
-        self.load = largest(loaded.load_growth + loaded.squeezed) / force if force else 0.0
-        self.metric = self._measure(q)
-        pull = loaded.pull()
-        row = pull / max(largest(pull), np.finfo(float).tiny) / self.metric.unknown
-        found = self._tangent(row, self.load)
-        self.point = None if found is None else Point(q, 0.0, internal, 0.0, found)
-        self.part = 1.0
-        self.smallest = 1.0
-
-    def _measure(self, q: Array) -> Metric:
-        size = float(np.linalg.norm(q))
-        return Metric(max(size, 1e-6 * self.scale.unknown, 1e-12), max(self.load, 1e-12))
-
-    def _tangent(self, row: Array, corner: float) -> tuple[Array, float] | None:
-        """The tangent at the state last evaluated, forward."""
-        bordered = Bordered(self.loaded.system, self.loaded.pull(), row, corner)
-        self.loaded.work.iterations += 1
-        if bordered.sign == 0.0:
-            return None
-        return self.metric.unit(bordered.solve(np.zeros(len(row)), 1.0), bordered.sign)
+    metric: Metric
+    limits: Limits
+    scale: Scale
 
     @np.errstate(over="ignore", invalid="ignore")
-    def _corrected(self, q: Array, l: float, across: tuple[Array, float]) -> Point | None:  # noqa: E741
-        """The point of the curve in the plane through (q, l) across a direction."""
-        loaded, metric = self.loaded, self.metric
-        row, corner = metric.row(across)
+    def corrected(
+        self,
+        loaded: Loaded,
+        q: Array,
+        l: float,  # noqa: E741
+        across: tuple[Array, float],
+    ) -> tuple[Point, int] | None:
+        """The point of the curve in the plane through (q, l) across a direction, and iterations."""
+        row, corner = self.metric.row(across)
         least = max(1e-6 * self.scale.force, np.finfo(float).tiny)
         for iteration in range(_ITERATIONS):
             internal, residual = loaded.evaluate(q, l)
@@ -155,11 +92,48 @@ class Walk:
                 step, change = bordered.solve(residual, 0.0)
                 done = unmoved(loaded.system, q, step, (worst, size), self.limits, self.scale)
             if done:
-                self.iterations = iteration
-                ahead = metric.unit(bordered.solve(np.zeros(len(q)), 1.0), bordered.sign)
-                return Point(q, l, internal, worst / size, ahead)
+                ahead = self.metric.unit(bordered.solve(np.zeros(len(q)), 1.0), bordered.sign)
+                return Point(q, l, internal, worst / size, ahead), iteration
             q, l = q + step, l + change
         return None
+
+
+def measured(q: Array, load: float, scale: Scale) -> Metric:
+    """Lengths relative to the unknowns q, and to the forces by `load`, their share that l adds."""
+    size = float(np.linalg.norm(q))
+    return Metric(max(size, 1e-6 * scale.unknown, 1e-12), max(load, 1e-12))
+
+
+class Walk:
+    """Goes along the curve of a loaded problem from one stable state on."""
+
+    def __init__(self, loaded: Loaded, q: Array, limits: Limits, scale: Scale) -> None:
+        self.loaded, self.limits, self.scale = loaded, limits, scale
+        self.part, self.smallest, self.iterations = 1.0, 1.0, 0
+        self.highest, self.topped = -np.inf, False
+        internal, _ = loaded.evaluate(q, 0.0)
+        force = max(largest(internal), scale.force)
+        self.load = largest(loaded.load_growth + loaded.squeezed) / force if force else 0.0
+        self.metric = measured(q, self.load, scale)
+        pull = loaded.pull()
+        row = pull / max(largest(pull), np.finfo(float).tiny) / self.metric.unknown
+        found = self._tangent(row, self.load)
+        self.point = None if found is None else Point(q, 0.0, internal, 0.0, found)
+
+    def _tangent(self, row: Array, corner: float) -> tuple[Array, float] | None:
+        """The tangent at the state last evaluated, forward."""
+        bordered = Bordered(self.loaded.system, self.loaded.pull(), row, corner)
+        self.loaded.work.iterations += 1
+        if bordered.sign == 0.0:
+            return None
+        return self.metric.unit(bordered.solve(np.zeros(len(row)), 1.0), bordered.sign)
+
+    def _corrected(self, q: Array, l: float, across: tuple[Array, float]) -> Point | None:  # noqa: E741
+        found = Control(self.metric, self.limits, self.scale).corrected(self.loaded, q, l, across)
+        if found is None:
+            return None
+        self.iterations = found[1]
+        return found[0]
 
     def _try(self, length: float, across: tuple[Array, float], far: float = _FAR) -> Point | None:
         """The point ahead at a length across a direction; None if it is not ahead, or too far."""
@@ -197,30 +171,59 @@ class Walk:
         return None
 
     def stride(self, length: float) -> list[Point] | None:
-        """Go a length along the curve, in parts as small as it takes; None where it is lost."""
-        self.metric = self._measure(self.point.q)
-        self._renewed()
+        """Go a length along the curve, in parts as small as it takes; None where it is lost.
+
+        A stride ends at a summit of the load that is higher than all before.
+        """
+        self.metric = measured(self.point.q, self.load, self.scale)
+        self.point = self._renewed()
         done, passed = 0.0, []
         self.smallest = 1.0
         while done < 1.0 - 1e-9:
             part = min(self.part, 1.0 - done)
             found = self._try(part * length, self.point.ahead)
-            if found is None and part <= 2.0**-_HALVINGS:
-                found = self._turn(part * length)
-                if found is None:
-                    return None
-            if found is None:
+            if found is None and part > 2.0**-_HALVINGS:
                 self.part = 0.5 * part
                 continue
+            if found is None:
+                found = self._turn(part * length)
+            elif self._passes_summit(found):
+                found, done, self.topped = self._summit(part * length, found), 1.0, True
+            else:
+                self.topped = False
+            if found is None:
+                return None
             self.smallest = min(self.smallest, part)
             done += part
-            self.point = found
+            self.point, self.highest = found, max(self.highest, found.l)
             passed.append(found)
             if self.iterations <= _EASY:
                 self.part = min(2.0 * part, 1.0)
         return passed
 
-    def _renewed(self) -> None:
-        """The tangent at the point has the length 1 of the metric as it is now."""
+    def _passes_summit(self, found: Point) -> bool:
+        """Whether a new highest load lies before a point; not twice in the same place."""
+        rises = self.point.ahead[1] > 0.0 > found.ahead[1]
+        return rises and self.point.l >= self.highest and not self.topped
+
+    def _summit(self, length: float, beyond: Point) -> Point:
+        """The highest point between this one and one beyond a peak, a length away."""
+        low, high, best = 0.0, length, max(self.point, beyond, key=lambda p: p.l)
+        for _ in range(_SUMMIT):
+            middle = 0.5 * (low + high)
+            found = self._try(middle, self.point.ahead)
+            if found is None:
+                break
+            best = max(best, found, key=lambda p: p.l)
+            low, high = (middle, high) if found.ahead[1] > 0.0 else (low, middle)
+        return best
+
+    def level(self, l: float) -> Point | None:  # noqa: E741
+        """The point at a load factor, near the last one."""
         p = self.point
-        self.point = Point(p.q, p.l, p.internal, p.residual, self.metric.unit(p.ahead))
+        share = (l - p.l) / p.ahead[1]
+        return self._corrected(p.q + share * p.ahead[0], l, (np.zeros(len(p.q)), 1.0))
+
+    def _renewed(self) -> Point:
+        """The point with a tangent of length 1 in the metric as it is now."""
+        return replace(self.point, ahead=self.metric.unit(self.point.ahead))

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Literal, cast
 
 import numpy as np
 
@@ -13,7 +13,9 @@ from .advance import Advance, Track
 from .newton import Ending, Limits
 from .yielding import advance_yielding
 
-_PARTS = 16  # halvings that find how much of a step a spudcan can carry
+_PARTS = 16  # halvings that find how much of a step both problems together can carry
+
+Which = Literal["lateral", "axial"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,18 +42,26 @@ class State:
 class Failure:
     """Where a step stopped: the part of it that was reached and the problem that gave up.
 
-    lateral, axial: unknowns of the last equilibria; which: the problem without one. softening: as
+    factors, lateral, axial, energy: of the last equilibrium, of both problems at the same factors;
+    which: the problem without one. growth: what the whole step adds to the factors. softening: as
     of `State`, there.
     """
 
     step: int
     reached: float
     factors: Array
-    which: Literal["lateral", "axial"]
+    growth: Array
+    which: Which
     ending: Ending
     lateral: Array
     axial: Array
+    energy: float
     softening: float = 1.0
+
+    @property
+    def left(self) -> float:
+        """The part of the step that was not reached."""
+        return 1.0 - self.reached
 
 
 class NoEquilibrium(Exception):
@@ -83,16 +93,8 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
         made = [advance_stretch(axial, before, after)]
         if made[0].outcome.ending is Ending.CONVERGED:
             made.append(advance_deflection(model, lateral, axial, before, after))
-        last = made[-1]
-        if last.outcome.ending is not Ending.CONVERGED:
-            reached = last.reached
-            if last.outcome.ending is Ending.YIELDED:
-                reached, axial, lateral = largest_part(model, *start, before, after)
-            which: Literal["lateral", "axial"] = "lateral" if len(made) == 2 else "axial"
-            at = before + reached * (after - before)
-            kept = lateral.problem.system.softening
-            ending = last.outcome.ending
-            raise NoEquilibrium(Failure(step, reached, at, which, ending, lateral.q, axial.q, kept))
+        if made[-1].outcome.ending is not Ending.CONVERGED:
+            raise NoEquilibrium(stopped(model, start, step, before, after))
         yield State(
             step,
             after,
@@ -106,6 +108,36 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
             lateral.problem.system.softening,
         )
         before = after
+
+
+def stopped(
+    model: Model, start: tuple[Track, Track], step: int, before: Array, after: Array
+) -> Failure:
+    """How far a step goes that fails, from the tracks `start`: axial, lateral.
+
+    Both problems are under the same factors: the one that comes less far tells what is reached.
+    """
+    axial, lateral = (replace(track) for track in start)
+    made, which = advance_stretch(axial, before, after), cast("Which", "axial")
+    reached, ending = made.reached, made.outcome.ending
+    factors = before + reached * (after - before)
+    made = advance_deflection(model, lateral, axial, before, factors)
+    if made.outcome.ending is not Ending.CONVERGED:
+        which, ending = "lateral", made.outcome.ending
+        if ending is Ending.YIELDED or len(model.lateral.system.compression_points):
+            part, axial, lateral = largest_part(model, *start, before, factors)
+            reached *= part
+        else:
+            reached *= made.reached
+            axial = replace(start[0])
+            advance_stretch(axial, before, before + reached * (after - before))
+    factors = before + reached * (after - before)
+    kept = lateral.problem.system.softening
+    energy = lateral.energy + axial.energy
+    growth = after - before
+    return Failure(
+        *(step, reached, factors, growth, which, ending, lateral.q, axial.q, energy, kept)
+    )
 
 
 def advance_stretch(axial: Track, before: Array, after: Array) -> Advance:
