@@ -6,10 +6,11 @@ follow, at the nodes included: that difference is the estimate. Where to refine 
 force that the Gauss points of an element do not resolve.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from ..arrays import Array
 from ..beam.field import Field
@@ -17,8 +18,11 @@ from ..beam.shapes import gauss_interpolation, gauss_points
 from ..model.assemble import Model, Problem
 from ..model.results import Results, compression, embedded
 from ..model.system import System
-from .newton import Limits, newton
-from .statics import State
+from .continuation import Control, Metric, Way
+from .loaded import loaded_at
+from .newton import Limits, Scale, largest, newton
+from .path import Path
+from .statics import State, Which
 
 _RESIDUAL = 1e-4  # of the accuracy: how near the richer elements come to equilibrium
 _SHORTEST = 5e-5  # element over tube: shorter ones on a stiff tube are mere rounding
@@ -47,6 +51,11 @@ class Estimate:
         force = self.unresolved.sum(axis=1)
         return np.asarray(np.max([self.displacement, self.reaction, self.moment, force], axis=0))
 
+    def where(self, known: npt.NDArray[np.bool_]) -> "Estimate":
+        """The same, with errors of 100 % in the steps that are not known."""
+        u, p, m = (np.where(known, e, 1.0) for e in (self.displacement, self.reaction, self.moment))
+        return Estimate(u, p, m, self.unresolved)
+
 
 def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
     """The same state in elements of a higher degree: the added internal unknowns are zero."""
@@ -58,22 +67,57 @@ def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
     return rows.ravel()
 
 
+def _prolonged(coarse: Problem, fine: Problem, states: Sequence[Array]) -> list[Array]:
+    field, components = coarse.system.field, fine.system.components
+    return [prolong(q, field, fine.system.field, components) for q in states]
+
+
 def _corrected(
-    coarse: Problem,
     fine: Problem,
     systems: Sequence[System],
-    states: Sequence[Array],
+    prolonged: Sequence[Array],
     factors: Array,
     limits: Limits,
-) -> tuple[Array, Array]:
-    """States prolonged to the fine problem, and its own equilibria near them, by its `systems`."""
-    field, components = coarse.system.field, fine.system.components
-    before = [prolong(q, field, fine.system.field, components) for q in states]
-    after = [
-        newton(system, q, fine.load(factor), limits).q
-        for q, system, factor in zip(before, systems, factors, strict=True)
-    ]
-    return np.array(before), np.array(after)
+) -> list[Array]:
+    """Equilibria of the fine problem, by its `systems`, near states prolonged to it."""
+    found = []
+    for q, system, factor in zip(prolonged, systems, factors, strict=True):
+        start = q.copy()
+        start[system.held] = fine.prescribed(factor)[system.held]
+        found.append(newton(system, start, fine.load(factor), limits).q)
+    return found
+
+
+def _across(
+    model: Model,
+    richer: Model,
+    path: Path,
+    states: Mapping[Which, Sequence[Array]],
+    limits: Limits,
+) -> tuple[list[Array], Array, npt.NDArray[np.bool_]]:
+    """Equilibria of the problem that failed in the richer elements, near each state of a path.
+
+    They lie in the plane across the path through the state, where the load may differ: at the same
+    load there may be none, or one on another branch. states: those of the path by problem, in the
+    richer elements. Returns the unknowns, the factors there, shape (states, names), and where one
+    was found.
+    """
+    coarse: Field = getattr(model, path.which).system.field
+    problem: Problem = getattr(richer, path.which)
+    field, components = problem.system.field, problem.system.components
+    unknowns, factors, known = [], [], []
+    for i, (state, (move, change)) in enumerate(zip(path.states, path.ahead, strict=True)):
+        q = states[path.which][i]
+        line = state.factors, path.growth
+        loaded = loaded_at(richer, path.which, line, states["axial"][i], limits)
+        scale = Scale(largest(problem.system.internal(q)), largest(q))
+        control = Control(Metric.at(q, path.share, scale), limits, scale)
+        ahead = Way(prolong(move, coarse, field, components), change)
+        found = control.corrected(loaded, q, 0.0, ahead)
+        known.append(found is not None)
+        unknowns.append(q if found is None else found[0].q)
+        factors.append(loaded.factors(0.0 if found is None else found[0].factor))
+    return unknowns, np.array(factors), np.array(known)
 
 
 def _as_in(state: State, model: Model, system: System) -> System:
@@ -136,22 +180,43 @@ def _ratio(change: Array, size: Array) -> Array:
 
 
 def estimate(
-    model: Model, richer: Model, states: Sequence[State], accuracy: float
+    model: Model,
+    richer: Model,
+    states: Sequence[State],
+    accuracy: float,
+    path: Path | None = None,
 ) -> tuple[Estimate, Estimate]:
     """Estimate the discretisation errors of `states` of `model`, lateral and axial.
 
     accuracy: what is asked of them; equilibrium in the richer elements is found to a share of it.
+    path: where the last of the states lie beyond a peak. Errors there are at the same place across
+    the path, that of the load included; 1 where none was found.
     """
     limits = Limits(residual=_RESIDUAL * accuracy)
     factors = np.array([s.factors for s in states])
+    first = len(states) - len(path.states if path else ())
+    known = np.ones(len(states), dtype=bool)
+    before: dict[Which, list[Array]] = {
+        "lateral": _prolonged(model.lateral, richer.lateral, [s.lateral for s in states]),
+        "axial": _prolonged(model.axial, richer.axial, [s.axial for s in states]),
+    }
+    across: list[Array] = []
+    at = factors.copy()
+    if path is not None and path.states:
+        beyond = {which: q[first:] for which, q in before.items()}
+        across, at[first:], known[first:] = _across(model, richer, path, beyond, limits)
     bent = [_as_in(s, model, richer.lateral.system) for s in states]
     stretched = [richer.axial.system] * len(states)
-    lateral = _corrected(
-        model.lateral, richer.lateral, bent, [s.lateral for s in states], factors, limits
-    )
-    axial = _corrected(
-        model.axial, richer.axial, stretched, [s.axial for s in states], factors, limits
-    )
+    after: dict[Which, list[Array]] = {}
+    which: Which
+    for which, fine, systems in (
+        ("lateral", richer.lateral, bent),
+        ("axial", richer.axial, stretched),
+    ):
+        more = across if path is not None and which == path.which else []
+        n = len(states) - len(more)
+        after[which] = [*_corrected(fine, systems[:n], before[which][:n], at[:n], limits), *more]
+    lateral, axial = ((np.array(before[w]), np.array(after[w])) for w in ("lateral", "axial"))
     reported = Results(
         model, np.array([s.lateral for s in states]), np.array([s.axial for s in states])
     )
@@ -164,7 +229,7 @@ def estimate(
     field = model.lateral.system.field
     moment = new.shear_and_moment(every)[1]
     outer = _outer_moments(model.lateral, states, factors)
-    return (
+    found = (
         Estimate(
             _change(new.deflection(every), old.deflection(every)),
             _change_of_largest(new.lateral_reaction(fine_x), pressed),
@@ -181,6 +246,7 @@ def estimate(
             _unresolved(field, old.axial_reaction(shaft), held),
         ),
     )
+    return found if known.all() else (found[0].where(known), found[1].where(known))
 
 
 def unestimated(model: Model, steps: int) -> Estimate:

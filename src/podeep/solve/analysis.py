@@ -15,6 +15,7 @@ from ..scene import Foundation, Scene
 from ..soil.profile import profile_of
 from .accuracy import Estimate, estimate, refine, unestimated
 from .newton import Limits
+from .path import Path, follow
 from .statics import Failure, NoEquilibrium, State, steps
 
 DEGREE = 5  # of the deflection in an element, unless the scene says otherwise
@@ -33,7 +34,13 @@ class Solved:
     estimates: tuple[Estimate, Estimate]  # lateral, axial
     failure: Failure | None
     accuracy: float  # that was asked for
+    path: Path | None = None  # what came beyond the failure; its states are the last ones
     interrupted: bool = False  # by the user, before the last step or the accuracy was reached
+
+    @property
+    def steps(self) -> int:
+        """States under the loads of the steps; those of a path come on top."""
+        return len(self.states) - len(self.path.states if self.path else ())
 
     @property
     def error(self) -> float:
@@ -79,13 +86,15 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
     stale = 0
     for _ in range(_ROUNDS):
         states, failure, interrupted = run(model, factors, limits(scene))
-        richer = rebuilt(scene, model, model.edges, 1)
+        accuracy, path = scene.numerics.accuracy, None
         try:
-            found = estimate(model, richer, states, scene.numerics.accuracy)
+            if failure is not None and scene.numerics.follow_path:
+                path = follow(model, failure, limits(scene))
+                states += path.states
+            found = estimate(model, rebuilt(scene, model, model.edges, 1), states, accuracy, path)
         except KeyboardInterrupt:
             found, interrupted = (unestimated(model, len(states)),) * 2, True
-        accuracy = scene.numerics.accuracy
-        one = Solved(model, tuple(states), found, failure, accuracy, interrupted)
+        one = Solved(model, tuple(states), found, failure, accuracy, path, interrupted)
         if best is None or better(one, best):
             best, stale = one, 0
         else:
@@ -103,8 +112,8 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
 
 def better(one: Solved, other: Solved) -> bool:
     """More steps, or as many with smaller errors; too fine a mesh has neither."""
-    if len(one.states) != len(other.states):
-        return len(one.states) > len(other.states)
+    if one.steps != other.steps:
+        return one.steps > other.steps
     return one.error < other.error
 
 

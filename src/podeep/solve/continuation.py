@@ -1,8 +1,8 @@
 """A curve of equilibria in unknowns and load factor, followed by arc length over peaks and back.
 
-Distances are relative: sqrt(|dq|^2 / |q|^2 + (w dl)^2), w being what a unit of the load factor
-adds to the load, as a share of the forces. Each part of a step is a predictor along the tangent and
-Newton in the plane across it (Riks, Wempner).
+Lengths are relative: sqrt(|dq|^2 / |q|^2 + (w dl)^2), w being what a unit of the load factor l
+adds to the forces, as a share of them. Each part of a step is a predictor along the tangent and
+Newton in the plane across it (Riks 1979, Wempner 1971).
 
 The way forward along a tangent t is told by the sign of det [K -p; t], which is the same all along
 a curve (Allgower and Georg, Introduction to numerical continuation methods, 2003, chapter 2), kinks
@@ -11,6 +11,7 @@ alone, would turn back where a brittle law makes the curve turn sharply.
 """
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,19 +24,34 @@ _ITERATIONS = 20  # of a part; one that needs more is halved
 _EASY = 6  # iterations up to which the next part may be twice as long
 _HALVINGS = 12
 _FAR = 2.0  # chord of a part over its length: more is a jump to another piece of the curve
+_FAR_TURN = 40.0  # the same of a part across a sharp kink
 _SUMMIT = 14  # halvings of a part for a peak in it
 _TURNS = (1.0, 4.0, 16.0)  # lengths of the part across a kink, in smallest parts
+_OPPOSITE = 1e-4  # length squared of the sum of two tangents that point against each other
+_REST = 1e-6  # share of the run's largest force and unknown below which a state is at rest
+
+
+class Way(NamedTuple):
+    """A direction, or a stretch, in unknowns and load factor."""
+
+    q: Array
+    factor: float
 
 
 @dataclass(frozen=True)
 class Point:
-    """A point of the curve: unknowns, load factor, internal forces, the tangent of length 1."""
+    """A point of the curve: unknowns, load factor, internal forces, relative residual, and the
+    tangent forward, of length 1."""
 
     q: Array
-    l: float  # noqa: E741
+    factor: float
     internal: Array
     residual: float
-    ahead: tuple[Array, float]
+    ahead: Way
+
+    def beyond(self, way: Way, length: float) -> tuple[Array, float]:
+        """Where a length along a way leads."""
+        return self.q + length * way.q, self.factor + length * way.factor
 
 
 @dataclass(frozen=True)
@@ -45,18 +61,25 @@ class Metric:
     unknown: float
     load: float
 
-    def row(self, direction: tuple[Array, float]) -> tuple[Array, float]:
-        """What measures the way along a direction."""
-        return direction[0] / self.unknown**2, direction[1] * self.load**2
+    @classmethod
+    def at(cls, q: Array, load: float, scale: Scale) -> "Metric":
+        """Lengths relative to the unknowns q."""
+        size = float(np.linalg.norm(q))
+        return cls(max(size, _REST * scale.unknown, 1e-12), max(load, 1e-12))
 
-    def along(self, one: tuple[Array, float], other: tuple[Array, float]) -> float:
+    def row(self, way: Way) -> tuple[Array, float]:
+        """What measures the length along a way of length 1."""
+        return way.q / self.unknown**2, way.factor * self.load**2
+
+    def along(self, one: Way, other: Way) -> float:
+        """The product of two ways."""
         row, corner = self.row(one)
-        return float(row @ other[0]) + corner * other[1]
+        return float(row @ other.q) + corner * other.factor
 
-    def unit(self, direction: tuple[Array, float], sign: float = 1.0) -> tuple[Array, float]:
-        """The direction with the length 1."""
-        size = sign * np.sqrt(self.along(direction, direction))
-        return direction[0] / size, direction[1] / size
+    def unit(self, q: Array, factor: float, sign: float = 1.0) -> Way:
+        """The way of length 1."""
+        size = sign * np.sqrt(self.along(Way(q, factor), Way(q, factor)))
+        return Way(q / size, factor / size)
 
 
 @dataclass(frozen=True)
@@ -69,17 +92,13 @@ class Control:
 
     @np.errstate(over="ignore", invalid="ignore")
     def corrected(
-        self,
-        loaded: Loaded,
-        q: Array,
-        l: float,  # noqa: E741
-        across: tuple[Array, float],
+        self, loaded: Loaded, q: Array, factor: float, across: Way
     ) -> tuple[Point, int] | None:
-        """The point of the curve in the plane through (q, l) across a direction, and iterations."""
+        """The point in the plane through (q, factor) across a way, and the iterations it took."""
         row, corner = self.metric.row(across)
-        least = max(1e-6 * self.scale.force, np.finfo(float).tiny)
+        least = max(_REST * self.scale.force, np.finfo(float).tiny)
         for iteration in range(_ITERATIONS):
-            internal, residual = loaded.evaluate(q, l)
+            internal, residual = loaded.evaluate(q, factor)
             worst, size = largest(residual), max(largest(internal), least)
             if not np.isfinite(worst):
                 return None
@@ -92,91 +111,53 @@ class Control:
                 step, change = bordered.solve(residual, 0.0)
                 done = unmoved(loaded.system, q, step, (worst, size), self.limits, self.scale)
             if done:
-                ahead = self.metric.unit(bordered.solve(np.zeros(len(q)), 1.0), bordered.sign)
-                return Point(q, l, internal, worst / size, ahead), iteration
-            q, l = q + step, l + change
+                along = bordered.solve(np.zeros(len(q)), 1.0)
+                ahead = self.metric.unit(*along, bordered.sign)
+                return Point(q, factor, internal, worst / size, ahead), iteration
+            q, factor = q + step, factor + change
         return None
 
-
-def measured(q: Array, load: float, scale: Scale) -> Metric:
-    """Lengths relative to the unknowns q, and to the forces by `load`, their share that l adds."""
-    size = float(np.linalg.norm(q))
-    return Metric(max(size, 1e-6 * scale.unknown, 1e-12), max(load, 1e-12))
+    def tangent(self, loaded: Loaded, row: Array, corner: float) -> Way | None:
+        """The tangent forward at the state last evaluated; None where there is no single one."""
+        bordered = Bordered(loaded.system, loaded.pull(), row, corner)
+        loaded.work.iterations += 1
+        if bordered.sign == 0.0:
+            return None
+        return self.metric.unit(*bordered.solve(np.zeros(len(row)), 1.0), bordered.sign)
 
 
 class Walk:
-    """Goes along the curve of a loaded problem from one stable state on."""
+    """Goes along the curve of a loaded problem from a point on.
 
-    def __init__(self, loaded: Loaded, q: Array, limits: Limits, scale: Scale) -> None:
-        self.loaded, self.limits, self.scale = loaded, limits, scale
+    part: of a stride that is tried at once; smallest: that was taken in the last stride. load: w.
+    """
+
+    def __init__(self, loaded: Loaded, point: Point, load: float, control: Control) -> None:
+        self.loaded, self.point, self.load, self.control = loaded, point, load, control
         self.part, self.smallest, self.iterations = 1.0, 1.0, 0
         self.highest, self.topped = -np.inf, False
-        internal, _ = loaded.evaluate(q, 0.0)
-        force = max(largest(internal), scale.force)
-        self.load = largest(loaded.load_growth + loaded.squeezed) / force if force else 0.0
-        self.metric = measured(q, self.load, scale)
+
+    @classmethod
+    def start(cls, loaded: Loaded, q: Array, limits: Limits, scale: Scale) -> "Walk | None":
+        """From a stable state at a load factor of 0; None where nothing holds the tube there."""
+        internal, residual = loaded.evaluate(q, 0.0)
+        force = max(largest(internal), _REST * scale.force)
+        load = largest(loaded.load_growth - loaded.squeezed) / force if force else 0.0
+        control = Control(Metric.at(q, load, scale), limits, scale)
         pull = loaded.pull()
-        row = pull / max(largest(pull), np.finfo(float).tiny) / self.metric.unknown
-        found = self._tangent(row, self.load)
-        self.point = None if found is None else Point(q, 0.0, internal, 0.0, found)
-
-    def _tangent(self, row: Array, corner: float) -> tuple[Array, float] | None:
-        """The tangent at the state last evaluated, forward."""
-        bordered = Bordered(self.loaded.system, self.loaded.pull(), row, corner)
-        self.loaded.work.iterations += 1
-        if bordered.sign == 0.0:
+        row = pull / max(largest(pull), np.finfo(float).tiny) / control.metric.unknown
+        ahead = control.tangent(loaded, row, load)
+        if ahead is None:
             return None
-        return self.metric.unit(bordered.solve(np.zeros(len(row)), 1.0), bordered.sign)
-
-    def _corrected(self, q: Array, l: float, across: tuple[Array, float]) -> Point | None:  # noqa: E741
-        found = Control(self.metric, self.limits, self.scale).corrected(self.loaded, q, l, across)
-        if found is None:
-            return None
-        self.iterations = found[1]
-        return found[0]
-
-    def _try(self, length: float, across: tuple[Array, float], far: float = _FAR) -> Point | None:
-        """The point ahead at a length across a direction; None if it is not ahead, or too far."""
-        start = self.point
-        q, l = start.q + length * across[0], start.l + length * across[1]
-        found = self._corrected(q, l, across)
-        if found is None:
-            return None
-        chord = (found.q - start.q, found.l - start.l)
-        forward = self.metric.along(found.ahead, chord)
-        whole = np.sqrt(self.metric.along(chord, chord))
-        return found if forward > 0.0 and whole <= far * length else None
-
-    def _turn(self, length: float) -> Point | None:
-        """The point beyond a kink that is sharper than a right angle, or nearly so.
-
-        The tangent beyond it is that of the law's piece there; a plane across the mean of both
-        tangents cuts the curve once on each side.
-        """
-        ahead = self.point.ahead
-        for times in _TURNS:
-            beyond = 2.0 * times * length
-            self.loaded.evaluate(
-                self.point.q + beyond * ahead[0], self.point.l + beyond * ahead[1]
-            )
-            turned = self._tangent(*self.metric.row(ahead))
-            if turned is None:
-                continue
-            mean = (ahead[0] + turned[0], ahead[1] + turned[1])
-            if self.metric.along(mean, mean) < 1e-4:
-                continue
-            found = self._try(times * length, self.metric.unit(mean), 2.0 * _FAR / 0.1)
-            if found is not None:
-                return found
-        return None
+        share = largest(residual) / force if force else 0.0
+        return cls(loaded, Point(q, 0.0, internal, share, ahead), load, control)
 
     def stride(self, length: float) -> list[Point] | None:
         """Go a length along the curve, in parts as small as it takes; None where it is lost.
 
         A stride ends at a summit of the load that is higher than all before.
         """
-        self.metric = measured(self.point.q, self.load, self.scale)
-        self.point = self._renewed()
+        self._measure()
         done, passed = 0.0, []
         self.smallest = 1.0
         while done < 1.0 - 1e-9:
@@ -195,35 +176,74 @@ class Walk:
                 return None
             self.smallest = min(self.smallest, part)
             done += part
-            self.point, self.highest = found, max(self.highest, found.l)
+            self.point, self.highest = found, max(self.highest, found.factor)
             passed.append(found)
             if self.iterations <= _EASY:
                 self.part = min(2.0 * part, 1.0)
         return passed
 
+    def level(self, factor: float) -> Point | None:
+        """The point at a load factor, near the last one."""
+        ahead = self.point.ahead
+        start = self.point.beyond(ahead, (factor - self.point.factor) / ahead.factor)
+        return self._corrected(*start, Way(np.zeros(len(ahead.q)), 1.0))
+
+    def _measure(self) -> None:
+        """Lengths are relative to where the point is now."""
+        metric = Metric.at(self.point.q, self.load, self.control.scale)
+        self.control = replace(self.control, metric=metric)
+        self.point = replace(self.point, ahead=metric.unit(*self.point.ahead))
+
+    def _corrected(self, q: Array, factor: float, across: Way) -> Point | None:
+        found = self.control.corrected(self.loaded, q, factor, across)
+        if found is None:
+            return None
+        self.iterations = found[1]
+        return found[0]
+
+    def _try(self, length: float, across: Way, far: float = _FAR) -> Point | None:
+        """The point at a length along a way; None if it does not lie ahead, or too far off."""
+        start, along = self.point, self.control.metric.along
+        found = self._corrected(*start.beyond(across, length), across)
+        if found is None:
+            return None
+        chord = Way(found.q - start.q, found.factor - start.factor)
+        far_off = along(chord, chord) > (far * length) ** 2
+        return found if along(found.ahead, chord) > 0.0 and not far_off else None
+
+    def _turn(self, length: float) -> Point | None:
+        """The point beyond a kink that is sharper than a right angle, or nearly so.
+
+        The tangent beyond it is that of the law's piece there; a plane across the mean of both
+        tangents cuts the curve once.
+        """
+        metric, ahead = self.control.metric, self.point.ahead
+        for times in _TURNS:
+            self.loaded.evaluate(*self.point.beyond(ahead, 2.0 * times * length))
+            turned = self.control.tangent(self.loaded, *metric.row(ahead))
+            if turned is None:
+                continue
+            mean = Way(ahead.q + turned.q, ahead.factor + turned.factor)
+            if metric.along(mean, mean) < _OPPOSITE:
+                continue
+            found = self._try(times * length, metric.unit(*mean), _FAR_TURN)
+            if found is not None:
+                return found
+        return None
+
     def _passes_summit(self, found: Point) -> bool:
         """Whether a new highest load lies before a point; not twice in the same place."""
-        rises = self.point.ahead[1] > 0.0 > found.ahead[1]
-        return rises and self.point.l >= self.highest and not self.topped
+        rises = self.point.ahead.factor > 0.0 > found.ahead.factor
+        return rises and self.point.factor >= self.highest and not self.topped
 
     def _summit(self, length: float, beyond: Point) -> Point:
         """The highest point between this one and one beyond a peak, a length away."""
-        low, high, best = 0.0, length, max(self.point, beyond, key=lambda p: p.l)
+        low, high, best = 0.0, length, max(self.point, beyond, key=lambda p: p.factor)
         for _ in range(_SUMMIT):
             middle = 0.5 * (low + high)
             found = self._try(middle, self.point.ahead)
             if found is None:
                 break
-            best = max(best, found, key=lambda p: p.l)
-            low, high = (middle, high) if found.ahead[1] > 0.0 else (low, middle)
+            best = max(best, found, key=lambda p: p.factor)
+            low, high = (middle, high) if found.ahead.factor > 0.0 else (low, middle)
         return best
-
-    def level(self, l: float) -> Point | None:  # noqa: E741
-        """The point at a load factor, near the last one."""
-        p = self.point
-        share = (l - p.l) / p.ahead[1]
-        return self._corrected(p.q + share * p.ahead[0], l, (np.zeros(len(p.q)), 1.0))
-
-    def _renewed(self) -> Point:
-        """The point with a tangent of length 1 in the metric as it is now."""
-        return replace(self.point, ahead=self.metric.unit(self.point.ahead))

@@ -21,10 +21,10 @@ _DIFFERENCE = 1e-6  # of the factor, for the change of the normal force
 
 @dataclass
 class Loaded:
-    """A problem under its loads at factors `origin` + l `growth`, l being the load factor.
+    """A problem under its loads at factors `origin` + factor `growth`.
 
-    squeeze: what the normal force does to the system at l, as the system and the change of its
-    internal forces at q for each unit of l; None where nothing does.
+    squeeze: what the normal force does to the system at a factor, as the system and the change of
+    its internal forces at q for each unit of the factor; None where nothing does.
     """
 
     problem: Problem
@@ -39,20 +39,20 @@ class Loaded:
         self.moved = self.problem.prescribed(self.growth)
         self.squeezed = np.zeros(self.system.size)
 
-    def factors(self, l: float) -> Array:  # noqa: E741 - the letter of the theory
+    def factors(self, factor: float) -> Array:
         """Factors of the named loads."""
-        return np.asarray(self.origin + l * self.growth)
+        return np.asarray(self.origin + factor * self.growth)
 
-    def evaluate(self, q: Array, l: float) -> tuple[Array, Array]:  # noqa: E741
+    def evaluate(self, q: Array, factor: float) -> tuple[Array, Array]:
         """Internal forces and what is out of balance; the latter is inf where there is no state."""
         if self.squeeze is not None:
-            found = self.squeeze(q, l)
+            found = self.squeeze(q, factor)
             if found is None:
                 return q, np.full(len(q), np.inf)
             self.system, self.squeezed = found
         internal = self.system.internal(q)
         self.work.evaluations += 1
-        residual = self.problem.load(self.factors(l)) - internal
+        residual = self.problem.load(self.factors(factor)) - internal
         residual[self.system.held] = 0.0
         return internal, residual
 
@@ -76,9 +76,9 @@ class Squeeze:
     growth: Array
     limits: Limits
 
-    def __call__(self, q: Array, l: float) -> tuple[System, Array] | None:  # noqa: E741
+    def __call__(self, q: Array, factor: float) -> tuple[System, Array] | None:
         problem, system = self.model.axial, self.model.axial.system
-        factors = self.origin + l * self.growth
+        factors = self.origin + factor * self.growth
         start = self.axial.copy()
         start[system.held] = problem.prescribed(factors)[system.held]
         found = newton(system, start, problem.load(factors), self.limits)
@@ -93,7 +93,7 @@ class Squeeze:
         return bare.compressed(force), change
 
     def _move(self) -> Array:
-        """What the stretch grows by for each unit of l, at its last state."""
+        """What the stretch grows by for each unit of the factor, at its last state."""
         problem, system = self.model.axial, self.model.axial.system
         moved = problem.prescribed(self.growth)
         right = problem.load(self.growth) - system.tangent_times(moved)

@@ -12,7 +12,7 @@ import numpy as np
 from ..arrays import Array
 from ..model.assemble import Model, Problem
 from .advance import Track
-from .continuation import Point, Walk
+from .continuation import Point, Walk, Way
 from .loaded import loaded_at
 from .newton import Ending, Limits, Scale, largest
 from .statics import Failure, State, Which, advance_deflection, advance_stretch, compress
@@ -52,7 +52,7 @@ class Path:
     which: Which
     start: Array
     states: tuple[State, ...]
-    ahead: tuple[tuple[Array, float], ...]
+    ahead: tuple[Way, ...]
     growth: Array
     share: float
     end: PathEnd
@@ -69,30 +69,30 @@ def follow(model: Model, failure: Failure, limits: Limits) -> Path:
     axial = _track(model, failure, "axial", limits)
     main, other = (lateral, axial) if failure.which == "lateral" else (axial, lateral)
     line = failure.factors, failure.growth
-    walk = Walk(
+    walk = Walk.start(
         loaded_at(model, failure.which, line, axial.q, limits), main.q, limits, main.scale
     )
-    if walk.point is None:
+    if walk is None:
         return Path(failure.which, failure.factors, (), (), failure.growth, 0.0, PathEnd.LOST)
     judge = _Judge(model, failure, walk)
     states: list[State] = []
-    ahead: list[tuple[Array, float]] = []
+    ahead: list[Way] = []
     factors, energy, spent = failure.factors, failure.energy, (0, 0)
     main.internal = walk.point.internal
     end: PathEnd | None = None
     while end is None:
-        climbing = not states and walk.point.ahead[1] > 0.0
+        climbing = not states and walk.point.ahead.factor > 0.0
         passed = walk.stride(STRIDE) if states or climbing else [walk.point]
         if passed is None and states:
             end = PathEnd.LOST
             break
         passed = passed or [walk.point]
-        if passed[-1].l > failure.left:
+        if passed[-1].factor > failure.left:
             passed[-1] = walk.level(failure.left) or passed[-1]
         for point in passed:
             energy += 0.5 * float((point.internal + main.internal) @ (point.q - main.q))
             main.q, main.internal = point.q, point.internal
-        before, factors = factors, walk.loaded.factors(point.l)
+        before, factors = factors, walk.loaded.factors(point.factor)
         if failure.which == "lateral":
             made = advance_stretch(other, before, factors)
         else:
@@ -139,7 +139,6 @@ class _Judge:
     """Tells where a path ends."""
 
     def __init__(self, model: Model, failure: Failure, walk: Walk) -> None:
-        assert walk.point is not None
         system = walk.loaded.problem.system
         self.nodes = system.field.interpolation(system.field.edges)
         self.diameter = max(p.section.outer_diameter for p in model.pieces)
@@ -152,7 +151,7 @@ class _Judge:
 
     def risen(self, point: Point) -> bool:
         """Whether the loads of the step are passed."""
-        return point.l > self.most
+        return point.factor > self.most
 
     def end(self, point: Point) -> PathEnd | None:
         """Why the path ends here, if it does."""
@@ -162,7 +161,7 @@ class _Judge:
         self.levels.append(level)
         if level >= self.peak:
             self.peak, self.moved = level, moved
-        if point.l >= self.most:
+        if point.factor >= self.most:
             return PathEnd.RISEN
         recent = self.levels[-_FLAT:]
         if len(recent) == _FLAT and max(recent) - min(recent) <= _STILL * self.peak:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Literal, cast
+from typing import Literal
 
 import numpy as np
 
@@ -118,7 +118,8 @@ def stopped(
     Both problems are under the same factors: the one that comes less far tells what is reached.
     """
     axial, lateral = (replace(track) for track in start)
-    made, which = advance_stretch(axial, before, after), cast("Which", "axial")
+    which: Which = "axial"
+    made = advance_stretch(axial, before, after)
     reached, ending = made.reached, made.outcome.ending
     factors = before + reached * (after - before)
     made = advance_deflection(model, lateral, axial, before, factors)
