@@ -44,6 +44,29 @@ def summary(solved: Solved) -> dict[str, Any]:
         "estimated_error_moment": max(moments),
         "largest_estimated_error": solved.error,
         "spudcan": spudcan(solved),
+        "path": beyond_peak(solved),
+    }
+
+
+def beyond_peak(solved: Solved) -> dict[str, Any] | None:
+    """The peak of a path that was followed, the state there, and how the path ended."""
+    path = solved.path
+    if path is None or not path.states:
+        return None
+    peak, last = path.states[path.peak], path.states[-1]
+    place = solved.steps + path.peak
+    head = solved.model.edges[:1]
+    return {
+        "problem": path.which,
+        "peak_step": peak.step,
+        "peak_factors": peak.factors.tolist(),
+        "peak_head_lateral_displacement_m": float(
+            largest(solved.results.deflection(head)[place])[0]
+        ),
+        "peak_head_axial_displacement_m": float(solved.results.settlement(head)[place, 0]),
+        "last_step": last.step,
+        "last_factors": last.factors.tolist(),
+        "end": path.end.value,
     }
 
 
@@ -94,6 +117,7 @@ def run_report(numbers: dict[str, Any]) -> str:
             *folded(f"{n['foundation']}  {'; '.join(n['decisions'])}"),
             f"    {n['elements']} elements of degree {n['degree']}, {n['steps']} steps, "
             f"{n['iterations']} iterations",
+            *(line for text in _path_lines(n["path"]) for line in folded(text)),
             f"    last step: head displaced {short(n['head_lateral_displacement_m'])} m, "
             f"settled {short(n['head_axial_displacement_m'])} m",
             f"    largest moment {short(n['largest_moment_Nm'])} N m at "
@@ -104,6 +128,22 @@ def run_report(numbers: dict[str, Any]) -> str:
             f"    largest in any step {n['largest_estimated_error']:.1e}",
             *(line for text in carried for line in folded(text)),
         ]
+    )
+
+
+def _path_lines(path: dict[str, Any] | None) -> Iterator[str]:
+    """The peak and what came beyond it."""
+    if path is None:
+        return
+    factors = [", ".join(f"{f:.4g}" for f in path[f"{n}_factors"]) for n in ("peak", "last")]
+    yield (
+        f"    {path['problem']} peak in step {path['peak_step']}: load factors {factors[0]}, head "
+        f"displaced {short(path['peak_head_lateral_displacement_m'])} m, settled "
+        f"{short(path['peak_head_axial_displacement_m'])} m"
+    )
+    yield (
+        f"    followed beyond it to step {path['last_step']}, load factors {factors[1]}: "
+        f"{path['end']}"
     )
 
 

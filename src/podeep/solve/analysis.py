@@ -43,6 +43,12 @@ class Solved:
         return len(self.states) - len(self.path.states if self.path else ())
 
     @property
+    def unestimated(self) -> int:
+        """States on the path whose errors are not known."""
+        beyond = self.estimates[0].displacement[self.steps :]
+        return int(np.count_nonzero(beyond == 1.0)) if self.path else 0
+
+    @property
     def error(self) -> float:
         """Largest estimated error in any step."""
         return max(float(e.worst.max()) for e in self.estimates)
@@ -125,9 +131,23 @@ def first_model(scene: Scene, foundation: Foundation) -> Model:
     boundaries = edges(pieces, profile, _SIZE[degree], scene.numerics.elements)
     wanted = needs(scene, foundation)
     check_shear(scene.numerics, foundation.name, pieces)
+    check_path(scene, foundation)
     model = assemble(scene, foundation, wanted, profile, pieces, boundaries, degree)
     check_restraint(model)
     return model
+
+
+def check_path(scene: Scene, foundation: Foundation) -> None:
+    """Raises UserError where a path is asked for that a spudcan's yield surface would end."""
+    spudcan = scene.spudcan(foundation)
+    if scene.numerics.follow_path and spudcan is not None and spudcan.preload is not None:
+        raise UserError(
+            Fault(
+                f"{foundation.name}: PATH=ON, but its spudcan has a preload; beyond its yield "
+                "surface there is no reaction that a path could follow",
+                "leave PATH=ON out, or V_PRELOAD of *SPUDCAN: it stays elastic then",
+            )
+        )
 
 
 def check_restraint(model: Model) -> None:

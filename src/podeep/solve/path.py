@@ -60,7 +60,11 @@ class Path:
     @property
     def peak(self) -> int:
         """Place of the state with the largest loads."""
-        return int(np.argmax([float(s.factors @ self.growth) for s in self.states]))
+        return int(np.argmax([self.added(s) for s in self.states]))
+
+    def added(self, state: State) -> float:
+        """What the loads of a state are above those of `start`, in shares of the step."""
+        return float((state.factors - self.start) @ self.growth / (self.growth @ self.growth))
 
 
 def follow(model: Model, failure: Failure, limits: Limits) -> Path:
