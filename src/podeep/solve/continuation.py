@@ -97,6 +97,8 @@ class Control:
         """The point in the plane through (q, factor) across a way, and the iterations it took."""
         row, corner = self.metric.row(across)
         least = max(_REST * self.scale.force, np.finfo(float).tiny)
+        q = q.copy()
+        loaded.hold(q, factor)
         for iteration in range(_ITERATIONS):
             internal, residual = loaded.evaluate(q, factor)
             worst, size = largest(residual), max(largest(internal), least)
@@ -115,6 +117,7 @@ class Control:
                 ahead = self.metric.unit(*along, bordered.sign)
                 return Point(q, factor, internal, worst / size, ahead), iteration
             q, factor = q + step, factor + change
+            loaded.hold(q, factor)
         return None
 
     def tangent(self, loaded: Loaded, row: Array, corner: float) -> Way | None:
@@ -141,7 +144,8 @@ class Walk:
     def start(cls, loaded: Loaded, q: Array, limits: Limits, scale: Scale) -> "Walk | None":
         """From a stable state at a load factor of 0; None where nothing holds the tube there."""
         internal, residual = loaded.evaluate(q, 0.0)
-        force = max(largest(internal), _REST * scale.force)
+        force = largest(loaded.problem.load(loaded.origin))
+        force = max(force or largest(internal), _REST * scale.force)
         load = largest(loaded.load_growth - loaded.squeezed) / force if force else 0.0
         control = Control(Metric.at(q, load, scale), limits, scale)
         pull = loaded.pull()

@@ -5,7 +5,7 @@ is part of the pull.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from ..model.system import System
 from .newton import Ending, Limits, Work, newton
 from .statics import Which
 
+_EXACT = 1e-10  # residual of the stretch: what its normal force leaves must not disturb
 _DIFFERENCE = 1e-6  # of the factor, for the change of the normal force
 
 
@@ -42,6 +43,12 @@ class Loaded:
     def factors(self, factor: float) -> Array:
         """Factors of the named loads."""
         return np.asarray(self.origin + factor * self.growth)
+
+    def hold(self, q: Array, factor: float) -> None:
+        """Put the held unknowns of q where the factor wants them."""
+        held = self.system.held
+        if len(held):
+            q[held] = self.problem.prescribed(self.factors(factor))[held]
 
     def evaluate(self, q: Array, factor: float) -> tuple[Array, Array]:
         """Internal forces and what is out of balance; the latter is inf where there is no state."""
@@ -116,5 +123,5 @@ def loaded_at(
     problem = model.lateral if which == "lateral" else model.axial
     squeeze = None
     if which == "lateral" and len(problem.system.compression_points):
-        squeeze = Squeeze(model, axial, *line, limits)
+        squeeze = Squeeze(model, axial, *line, replace(limits, residual=_EXACT))
     return Loaded(problem, *line, squeeze)

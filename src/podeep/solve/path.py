@@ -19,7 +19,7 @@ from .statics import Failure, State, Which, advance_deflection, advance_stretch,
 
 STRIDE = 0.02  # between states: relative change of displacements and of load together
 _MOST = 500  # states
-_LEAST_LOAD = 0.1  # of the peak
+_LEAST_LOAD = 0.05  # of the peak
 _STILL = 1e-5  # of the peak: the load changes no more
 _FLAT = 20  # states that tell so
 
@@ -147,8 +147,7 @@ class _Judge:
         self.nodes = system.field.interpolation(system.field.edges)
         self.diameter = max(p.section.outer_diameter for p in model.pieces)
         self.most = failure.left
-        forced = walk.loaded.load_growth
-        self.direction = forced if forced.any() else walk.loaded.moved
+        self.loaded = walk.loaded
         self.levels: list[float] = []
         self.peak = 0.0
         self.moved = 0.0
@@ -159,7 +158,11 @@ class _Judge:
 
     def end(self, point: Point) -> PathEnd | None:
         """Why the path ends here, if it does."""
-        level = float(point.internal @ self.direction)
+        loaded, forces = self.loaded, self.loaded.load_growth
+        if forces.any():
+            level = float(loaded.problem.load(loaded.factors(point.factor)) @ forces)
+        else:
+            level = float(point.internal @ loaded.moved)
         shape = self.nodes @ point.q.reshape(self.nodes.shape[1], -1)
         moved = float(np.linalg.norm(shape, axis=1).max())
         self.levels.append(level)

@@ -9,11 +9,9 @@ import numpy as np
 from ..arrays import Array
 from ..model.assemble import Model
 from ..model.results import compression
-from .advance import Advance, Track
+from .advance import HALVINGS, Advance, Track
 from .newton import Ending, Limits
 from .yielding import advance_yielding
-
-_PARTS = 16  # halvings that find how much of a step both problems together can carry
 
 Which = Literal["lateral", "axial"]
 
@@ -164,18 +162,19 @@ def advance_deflection(
 def largest_part(
     model: Model, axial: Track, lateral: Track, before: Array, after: Array
 ) -> tuple[float, Track, Track]:
-    """The largest part of a step that leaves a spudcan within its surface, and the tracks there.
+    """The largest part of a step that both problems can take together, and the tracks there.
 
     axial, lateral: where the step starts.
     """
-    held, broken, best = 0.0, 1.0, (axial, lateral)
-    for _ in range(_PARTS):
+    held, broken = 0.0, 1.0
+    best = replace(axial, halvings=0), replace(lateral, halvings=0)
+    for _ in range(HALVINGS):
         part = 0.5 * (held + broken)
-        trial = replace(axial), replace(lateral)
-        factors = before + part * (after - before)
-        made = advance_stretch(trial[0], before, factors)
+        trial = replace(best[0]), replace(best[1])
+        start, target = (before + share * (after - before) for share in (held, part))
+        made = advance_stretch(trial[0], start, target)
         if made.outcome.ending is Ending.CONVERGED:
-            made = advance_deflection(model, trial[1], trial[0], before, factors)
+            made = advance_deflection(model, trial[1], trial[0], start, target)
         if made.outcome.ending is Ending.CONVERGED:
             held, best = part, trial
         else:
