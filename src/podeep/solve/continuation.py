@@ -138,7 +138,7 @@ class Walk:
     def __init__(self, loaded: Loaded, point: Point, load: float, control: Control) -> None:
         self.loaded, self.point, self.load, self.control = loaded, point, load, control
         self.part, self.smallest, self.iterations = 1.0, 1.0, 0
-        self.highest, self.topped = -np.inf, False
+        self.highest, self.topped = point.factor, False
 
     @classmethod
     def start(cls, loaded: Loaded, q: Array, limits: Limits, scale: Scale) -> "Walk | None":
@@ -237,8 +237,10 @@ class Walk:
 
     def _passes_summit(self, found: Point) -> bool:
         """Whether a new highest load lies before a point; not twice in the same place."""
-        rises = self.point.ahead.factor > 0.0 > found.ahead.factor
-        return rises and self.point.factor >= self.highest and not self.topped
+        here = self.point
+        if self.topped or here.factor < self.highest or here.ahead.factor <= 0.0:
+            return False
+        return found.ahead.factor < 0.0 or found.factor < here.factor
 
     def _summit(self, length: float, beyond: Point) -> Point:
         """The highest point between this one and one beyond a peak, a length away."""
@@ -249,5 +251,6 @@ class Walk:
             if found is None:
                 break
             best = max(best, found, key=lambda p: p.factor)
-            low, high = (middle, high) if found.ahead.factor > 0.0 else (low, middle)
+            rises = found.ahead.factor > 0.0 and found.factor > self.point.factor
+            low, high = (middle, high) if rises else (low, middle)
         return best
