@@ -283,3 +283,32 @@ def test_the_bordered_matrix_is_solved_where_the_tangent_is_indefinite(component
         move = rng.standard_normal(n)
         np.testing.assert_allclose(system.tangent_times(move), dense @ move, rtol=1e-9, atol=1e-3)
     assert signs == {-1.0, 1.0}
+
+
+@pytest.mark.parametrize("at", [0.03, 0.021, 0.0201])
+def test_a_spring_above_a_rigid_pile_turns_the_curve_round(tmp_path, at):
+    """A soft free length on a rigid embedded one: P = F(w) and the head moves by P L / EA more.
+
+    Where the friction drops at once, the head goes back almost as it came; the pile sinks on.
+    """
+    friction, left, free, soft = 50e3, 10e3, 10.0, 2e9
+    scene = scene_of(
+        tmp_path,
+        f"*DEPTH\n0\n*GROUNDEPTH\n0\n{FALLS.format(left=left, at=at)}*GROUNDPROP\n0 1",
+        f"*CASING\n1 PILE\n{free!r} 0 2 0.05 210e9 7850 EA={soft!r}",
+        "0 -40 2 0.05 210e9 7850 EA=1e15\n*FONDATION\n1 1",
+        f"*LOAD\nHEAD 1 {free!r} 0 0 -16e6\n*QUASISTATIC\n10\n*MODEL, PATH=ON, ELEMENTS=8",
+    )
+    found = followed(scene)
+    head, sunk = found.results.settlement(np.array([-free, 20.0]))[1:].T
+    force = 16e6 * factors(found)[1:]
+    around = 2.0 * np.pi * 40.0
+    expected = around * np.interp(sunk, (0.0, 0.002, 0.02, at), (0.0, 25e3, friction, left))
+    np.testing.assert_allclose(force, expected, rtol=2e-3)
+    np.testing.assert_allclose(head, sunk + force * free / soft, rtol=1e-5)
+    assert (np.diff(sunk) > 0.0).all()
+    assert force.max() == pytest.approx(around * friction, rel=1e-3)
+    assert force[-1] == pytest.approx(around * left, rel=1e-6)
+    assert found.path.end is PathEnd.FLAT
+    beyond = found.path.states[1:]
+    assert any(around * left * 1.05 < 16e6 * s.factors[0] < 0.95 * force.max() for s in beyond)
