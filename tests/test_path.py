@@ -22,8 +22,9 @@ from podeep.solve.bordered import Bordered
 from podeep.solve.continuation import Walk
 from podeep.solve.diagnosis import explain
 from podeep.solve.loaded import Loaded
-from podeep.solve.newton import Scale
+from podeep.solve.newton import Ending, Scale
 from podeep.solve.path import PathEnd, follow
+from podeep.solve.statics import Failure
 from scenes import reference_pile
 from test_softening import CURVES, DIAMETER, LENGTH, STIFF
 from test_system import model
@@ -312,3 +313,25 @@ def test_a_spring_above_a_rigid_pile_turns_the_curve_round(tmp_path, at):
     assert found.path.end is PathEnd.FLAT
     beyond = found.path.states[1:]
     assert any(around * left * 1.05 < 16e6 * s.factors[0] < 0.95 * force.max() for s in beyond)
+
+
+def test_a_path_ends_where_the_loads_are_reached_again(tmp_path):
+    """A law that drops and hardens: load steps jump across, the path goes down and up again."""
+    curve = "*PYCURVE\n1 0 0\n200e3 0.01\n60e3 0.03\n60e3 0.035\n400e3 0.6\n"
+    scene = stub(tmp_path, curve, "2.5e6 0 0", RIGID_MODEL)
+    discrete = first_model(scene, scene.foundations[0])
+    states, failure, _ = run(discrete, np.array(scene.steps.factors), limits(scene))
+    assert failure is None  # the jump
+    s = states[5]
+    start = Failure(
+        *(6, 0.0, s.factors, np.array([0.5]), "lateral", Ending.EXHAUSTED, s.lateral, s.axial, 0.0)
+    )
+    path = follow(discrete, start, limits(scene))
+    force = 2.5e6 * np.array([s.factors[0] for s in path.states])
+    y = np.array([np.abs(s.lateral[0]) for s in path.states])
+    law = LENGTH * np.interp(y, (0.0, 0.01, 0.03, 0.035, 0.6), (0.0, 200e3, 60e3, 60e3, 400e3))
+    np.testing.assert_allclose(force, law, rtol=RIGID)
+    assert path.end is PathEnd.RISEN
+    assert force.min() == pytest.approx(60e3 * LENGTH, rel=1e-3)
+    assert force[-1] == pytest.approx(2.5e6, rel=1e-9)
+    assert any(f == pytest.approx(200e3 * LENGTH, rel=1e-3) for f in force)
