@@ -1,6 +1,6 @@
 """Quasi-static steps of one foundation: each step from the one before, halved where it must be."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -92,7 +92,7 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
         if made[0].outcome.ending is Ending.CONVERGED:
             made.append(advance_deflection(model, lateral, axial, before, after))
         if made[-1].outcome.ending is not Ending.CONVERGED:
-            raise NoEquilibrium(stopped(model, start, (axial, lateral), made, step, before, after))
+            raise NoEquilibrium(stopped(model, start, step, before, after))
         yield State(
             step,
             after,
@@ -109,32 +109,25 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
 
 
 def stopped(
-    model: Model,
-    start: tuple[Track, Track],
-    tracks: tuple[Track, Track],
-    made: Sequence[Advance],
-    step: int,
-    before: Array,
-    after: Array,
+    model: Model, start: tuple[Track, Track], step: int, before: Array, after: Array
 ) -> Failure:
-    """How far a step goes that fails: axial and lateral tracks at its start and as far as made.
+    """How far a step goes that fails, from the tracks `start`: axial, lateral.
 
     Both problems are under the same factors: the one that comes less far tells what is reached.
     """
-    axial, lateral = tracks
+    axial, lateral = (replace(track) for track in start)
     which: Which = "axial"
-    reached, ending = made[0].reached, made[0].outcome.ending
+    made = advance_stretch(axial, before, after)
+    reached, ending = made.reached, made.outcome.ending
     factors = before + reached * (after - before)
-    other = made[1] if len(made) == 2 else None
-    if other is None:
-        other = advance_deflection(model, lateral, axial, before, factors)
-    if other.outcome.ending is not Ending.CONVERGED:
-        which, ending = "lateral", other.outcome.ending
+    made = advance_deflection(model, lateral, axial, before, factors)
+    if made.outcome.ending is not Ending.CONVERGED:
+        which, ending = "lateral", made.outcome.ending
         if ending is Ending.YIELDED or len(model.lateral.system.compression_points):
             part, axial, lateral = largest_part(model, *start, before, factors)
             reached *= part
         else:
-            reached *= other.reached
+            reached *= made.reached
             axial = replace(start[0])
             advance_stretch(axial, before, before + reached * (after - before))
     factors = before + reached * (after - before)
