@@ -24,7 +24,7 @@ from podeep.solve.diagnosis import explain
 from podeep.solve.loaded import Loaded
 from podeep.solve.newton import Ending, Scale
 from podeep.solve.path import PathEnd, follow
-from podeep.solve.statics import Failure
+from podeep.solve.statics import Failure, State
 from scenes import reference_pile
 from test_softening import CURVES, DIAMETER, LENGTH, STIFF
 from test_system import model
@@ -130,8 +130,8 @@ def test_the_normal_force_falls_with_the_load(tmp_path):
     assert expected[-1] < 0.5 * expected.max()
 
 
-def test_a_column_buckles_and_stays_buckled(tmp_path):
-    """A rigid rod with a spring at half its length: the load rises to k L/4 and stays there."""
+def test_a_column_nears_its_critical_load_along_the_path(tmp_path, monkeypatch):
+    """A rigid rod with a spring at half its length: the load rises to k L/4 and never falls."""
     stiffness, side = 4e6, 1e4
     down = 1.5 * stiffness * LENGTH / 4.0
     scene = scene_of(
@@ -142,11 +142,24 @@ def test_a_column_buckles_and_stays_buckled(tmp_path):
         f"*LOAD\nHEAD 1 0 {side!r} 0 {-down!r}\n*QUASISTATIC\n10",
         f"{RIGID_MODEL}, PDELTA",
     )
-    found = followed(scene)
-    head = found.results.deflection(np.zeros(1))[1:, 0, 0]
+    monkeypatch.setattr("podeep.solve.path._MOST", 150)
+    discrete = first_model(scene, scene.foundations[0])
+    states, failure, _ = run(discrete, np.array(scene.steps.factors), limits(scene))
+    assert failure.ending is Ending.BUCKLED
+    path = follow(discrete, before(states[5], 0.5), limits(scene))
+    head = np.array([s.lateral[0] for s in path.states])
     expected = 0.25 * stiffness * LENGTH * head / (side * LENGTH + down * head)
-    np.testing.assert_allclose(factors(found)[1:], expected, rtol=1e-4)
-    assert found.path.end in (PathEnd.FLAT, PathEnd.FAR)
+    factor = np.array([s.factors[0] for s in path.states])
+    np.testing.assert_allclose(factor, expected, rtol=1e-4)
+    assert 0.6 < factor[-1] < 1.0 / 1.5
+    assert (np.diff(factor) > 0.0).all()
+    assert path.end is PathEnd.LONG
+
+
+def before(state: State, growth: float) -> Failure:
+    """A path that starts in any state, as if the lateral problem had failed there."""
+    place = (state.step + 1, 0.0, state.factors, np.array([growth]))
+    return Failure(*place, "lateral", Ending.EXHAUSTED, state.lateral, state.axial, 0.0)
 
 
 def pile(folder: Path, curve: str, modulus: float, load: str, *more: str) -> Scene:
@@ -322,11 +335,7 @@ def test_a_path_ends_where_the_loads_are_reached_again(tmp_path):
     discrete = first_model(scene, scene.foundations[0])
     states, failure, _ = run(discrete, np.array(scene.steps.factors), limits(scene))
     assert failure is None  # the jump
-    s = states[5]
-    start = Failure(
-        *(6, 0.0, s.factors, np.array([0.5]), "lateral", Ending.EXHAUSTED, s.lateral, s.axial, 0.0)
-    )
-    path = follow(discrete, start, limits(scene))
+    path = follow(discrete, before(states[5], 0.5), limits(scene))
     force = 2.5e6 * np.array([s.factors[0] for s in path.states])
     y = np.array([np.abs(s.lateral[0]) for s in path.states])
     law = LENGTH * np.interp(y, (0.0, 0.01, 0.03, 0.035, 0.6), (0.0, 200e3, 60e3, 60e3, 400e3))
