@@ -11,11 +11,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Array
+from ..arrays import Array, Index
 from ..beam.field import Field
 from ..beam.shapes import gauss_interpolation, gauss_points
 from ..model.assemble import Model, Problem
-from ..model.results import Results, compression, embedded
+from ..model.coupling import pressed, rubbed, rubs
+from ..model.results import Results
 from ..model.system import System
 from .newton import Limits, newton
 from .statics import State
@@ -78,8 +79,8 @@ def _corrected(
 
 def _as_in(state: State, model: Model, system: System) -> System:
     """A lateral system as a state had it: its softening and its normal force."""
-    softened, x = system.softened(state.softening), system.compression_points
-    return softened.compressed(compression(model, state.axial, x)) if len(x) else softened
+    softened = system.softened(state.softening)
+    return pressed(model, state.axial, softened) if system.second_order else softened
 
 
 def _unresolved(field: Field, coarse: Array, fine: Array) -> Array:
@@ -88,7 +89,7 @@ def _unresolved(field: Field, coarse: Array, fine: Array) -> Array:
     coarse, fine: reaction at the coarse and the fine Gauss points of the embedded elements in one
     state, shapes (steps, ..., elements * count) and (steps, ..., elements * (count + 1)).
     """
-    lengths = field.lengths[embedded(field)]
+    lengths = np.diff(field.edges)[embedded(field)]
     elements = len(lengths)
     known = coarse.reshape(len(coarse), -1, elements, coarse.shape[-1] // elements)
     true = fine.reshape(len(fine), -1, elements, fine.shape[-1] // elements)
@@ -145,7 +146,8 @@ def estimate(
     limits = Limits(residual=_RESIDUAL * accuracy)
     factors = np.array([s.factors for s in states])
     bent = [_as_in(s, model, richer.lateral.system) for s in states]
-    stretched = [richer.axial.system] * len(states)
+    rough = richer.axial.system
+    stretched = [rubbed(model, s.lateral, rough) if rubs(rough) else rough for s in states]
     lateral = _corrected(
         model.lateral, richer.lateral, bent, [s.lateral for s in states], factors, limits
     )
@@ -162,22 +164,32 @@ def estimate(
     every = np.sort(np.concatenate([richer.edges, fine_x]))
     pressed, held = old.lateral_reaction(fine_x), old.axial_reaction(fine_shaft)
     field = model.lateral.system.field
-    moment = new.shear_and_moment(every)[1]
+
+    def moments(results: Results) -> Array:
+        return results.of_all(lambda x, tube: results.shear_and_moment(x, tube)[1], every)
+
+    def deflections(results: Results) -> Array:
+        return results.of_all(lambda x, tube: results.deflection(x, 0, tube), every)
+
+    def settlements(results: Results) -> Array:
+        return results.of_all(lambda x, tube: results.settlement(x, 0, tube), every)
+
+    moment = moments(new)
     outer = _outer_moments(model.lateral, states, factors)
     return (
         Estimate(
-            _change(new.deflection(every), old.deflection(every)),
+            _change(deflections(new), deflections(old)),
             _change_of_largest(new.lateral_reaction(fine_x), pressed),
             _ratio(
-                _largest(moment - reported.shear_and_moment(every)[1]),
+                _largest(moment - moments(reported)),
                 np.maximum(_largest(moment), outer),
             ),
             _unresolved(field, old.lateral_reaction(x), pressed),
         ),
         Estimate(
-            _change(new.settlement(every), old.settlement(every)),
+            _change(settlements(new), settlements(old)),
             _change_of_largest(new.axial_reaction(fine_shaft), held),
-            _change(new.compression(every), reported.compression(every)),
+            _change(*(r.of_all(r.compression, every) for r in (new, reported))),
             _unresolved(field, old.axial_reaction(shaft), held),
         ),
     )
@@ -189,6 +201,11 @@ def unestimated(model: Model, steps: int) -> Estimate:
     return Estimate(whole, whole, whole, np.zeros((steps, model.elements)))
 
 
+def embedded(field: Field) -> Index:
+    """Intervals below the mudline."""
+    return np.flatnonzero(field.edges[1:] > 1e-6)
+
+
 def refine(model: Model, estimates: Sequence[Estimate], accuracy: float) -> Array:
     """Boundaries with those elements halved that resolve least in steps not accurate enough.
 
@@ -196,8 +213,9 @@ def refine(model: Model, estimates: Sequence[Estimate], accuracy: float) -> Arra
     """
     field = model.lateral.system.field
     poor = np.concatenate([e.unresolved[e.worst > accuracy] for e in estimates])
-    split = np.zeros(len(field.lengths), dtype=bool)
+    lengths = np.diff(field.edges)
+    split = np.zeros(len(lengths), dtype=bool)
     split[embedded(field)] = (poor >= _REFINE * poor.max(axis=1, keepdims=True)).any(axis=0)
-    split &= field.lengths > 2.0 * _SHORTEST * (field.edges[-1] - field.edges[0])
+    split &= lengths > 2.0 * _SHORTEST * (field.edges[-1] - field.edges[0])
     middle = 0.5 * (field.edges[:-1] + field.edges[1:])[split]
     return np.sort(np.concatenate([field.edges, middle]))

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..model.assemble import Model
-from ..model.results import compression
+from ..model.coupling import pressed
 from .advance import Advance, Track
 from .newton import Ending, Limits
 from .yielding import advance_yielding
@@ -120,8 +120,9 @@ def advance_deflection(
 
     The normal force bends it further, and the vertical load on a spudcan softens that.
     """
-    if len(model.lateral.system.compression_points):
-        compress(model, lateral, axial.q)
+    if model.needs.second_order:
+        system = pressed(model, axial.q, lateral.problem.system)
+        lateral.problem = replace(lateral.problem, system=system)
     if model.footing is None:
         return lateral.advance(before, after)
     load = model.footing.vertical(axial.problem.system, axial.q)
@@ -148,13 +149,6 @@ def largest_part(
         else:
             broken = part
     return held, *best
-
-
-def compress(model: Model, lateral: Track, axial: Array) -> None:
-    """Put the normal force of a state of the stretch on the deflection."""
-    system = lateral.problem.system
-    force = compression(model, axial, system.compression_points)
-    lateral.problem = replace(lateral.problem, system=system.compressed(force))
 
 
 def same_increment(factors: Array) -> list[bool]:
