@@ -10,9 +10,10 @@ from types import MappingProxyType
 from typing import Literal
 
 from .errors import InvalidData
-from .tubes import Section, Sliding, Tie, Tube
-
-__all__ = ["Section", "Sliding", "Tie", "Tube"]  # with what stands below
+from .tubes import Section as Section
+from .tubes import Sliding as Sliding
+from .tubes import Tie as Tie
+from .tubes import Tube as Tube
 
 Dof = Literal["X", "Y", "Z", "RX", "RY", "RZ"]
 DOFS: tuple[Dof, ...] = ("X", "Y", "Z", "RX", "RY", "RZ")

@@ -16,17 +16,30 @@ from .recover import EndForces, Spread, end_forces, internal_forces
 from .system import Points, secant
 
 
-def axial_ends(model: Model, axial: Array) -> EndForces:
-    """End forces of the stretch for states of unknowns, shape (..., unknowns)."""
+def axial_ends(model: Model, axial: Array, deflection: Array) -> EndForces:
+    """End forces of the stretch for states of unknowns of both problems, (..., unknowns)."""
     system = model.axial.system
     count = system.field.degree + 1
     spread = []
     for points in system.points:
-        soil = points.against is None
-        if points.spread and not (soil and model.reactions == "lumped"):
-            u = product(axial, points.matrix(system.field))
-            spread += acting(system.field, points, points.reaction.evaluate(u)[0], count)
+        soil, rubbing = points.against is None, points.friction
+        if not points.spread or (soil and model.reactions == "lumped"):
+            continue
+        u = product(axial, points.matrix(system.field))
+        if rubbing is None:
+            force = points.reaction.evaluate(u)[0]
+        else:
+            force = rubbing.pressed(apart(model, deflection, points)).force(u)
+        spread += acting(system.field, points, force, count)
     return end_forces(system.field, axial, spread, count)
+
+
+def apart(model: Model, deflection: Array, points: Points) -> Array:
+    """How far the axes of two tubes stand apart at points between them, (..., points), m."""
+    system = model.lateral.system
+    unknowns = deflection.reshape(*deflection.shape[:-1], -1, system.components)
+    moved = product(np.moveaxis(unknowns, -1, 0), points.matrix(system.field))
+    return np.asarray(np.linalg.norm(moved, axis=0))
 
 
 def acting(field: Field, points: Points, resistance: Array, count: int) -> list[Spread]:
@@ -181,7 +194,7 @@ class Results:
 
     @cached_property
     def _axial_ends(self) -> EndForces:
-        return axial_ends(self.model, self.axial)
+        return axial_ends(self.model, self.axial, self.lateral)
 
     def shear_and_moment(self, x: Array, tube: int = 0) -> tuple[Array, Array]:
         """Shear (N) and moment EI w'' (N m) by component, shape (steps, components, len(x)).

@@ -80,7 +80,7 @@ def _corrected(
 def _as_in(state: State, model: Model, system: System) -> System:
     """A lateral system as a state had it: its softening and its normal force."""
     softened = system.softened(state.softening)
-    return pressed(model, state.axial, softened) if system.second_order else softened
+    return pressed(model, state.axial, state.lateral, softened) if system.second_order else softened
 
 
 def _unresolved(field: Field, coarse: Array, fine: Array) -> Array:
