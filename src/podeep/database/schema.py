@@ -216,6 +216,12 @@ VARIABLES: tuple[Variable, ...] = (
     ),
     *(_tube(f"shear_{a}", "N", f"shear force along {a}", f"{_ABOVE}, global axes") for a in "xy"),
     _tube("normal_force", "N", "normal force", f"{_ABOVE}, positive in compression"),
+    _tube(
+        "stress",
+        "Pa",
+        "largest normal stress of the section",
+        "magnitude of that of normal force and bending together, at the outer diameter",
+    ),
 )
 
 

@@ -25,18 +25,17 @@ from ..soil.reaction import Reaction, Term
 
 @dataclass(frozen=True, eq=False)
 class Gap(Law):
-    """Normal force per length, N/m, at `size` points; stiffness N/m2, clearance, tolerance m."""
+    """Normal force per length, N/m; stiffness N/m2 and clearance m, (n,) each; tolerance m."""
 
     source: ClassVar[str] = "contact of a tube inside a tube, by penalty"
 
-    contact_stiffness: float
-    clearance: float
+    contact_stiffness: Array
+    clearance: Array
     tolerance: float
-    size: int
 
     @property
     def capacity(self) -> Array:
-        return np.full(self.size, np.inf)
+        return np.full(len(self.clearance), np.inf)
 
     def evaluate(self, u: Array) -> tuple[Array, Array]:
         depth = np.maximum(np.abs(u) - self.clearance, 0.0)

@@ -1,6 +1,6 @@
 """How much model a scene needs: each decision with its reason."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import atan2, cos, degrees, hypot, pi, radians, sin
 
 from ..errors import Fault, UserError
@@ -31,6 +31,11 @@ class Needs:
     decisions: tuple[Decision, ...]
     second_order: bool = False
     shear: bool = False
+
+    def told(self, *more: Decision) -> "Needs":
+        """The same with decisions that are not among its own yet."""
+        own = self.decisions
+        return replace(self, decisions=(*own, *(d for d in more if d not in own)))
 
     @property
     def direction(self) -> tuple[tuple[float, float], ...]:

@@ -56,9 +56,12 @@ class Solved:
 
 
 def limits(scene: Scene) -> Limits:
-    """Iteration limits: what the accuracy needs; *NEWTONSTAT can only tighten them."""
+    """Iteration limits: what the accuracy needs; *NEWTONSTAT can only tighten them.
+
+    Forces between tubes are small beside those on them, and have to be in balance too.
+    """
     newton = scene.newton
-    own = min(1e-3 * scene.numerics.accuracy, 1e-6)
+    own = min(1e-3 * scene.numerics.accuracy, 1e-10 if scene.slidings else 1e-6)
     return Limits(
         residual=max(min(own, newton.force, newton.moment), 1e-13),
         increment=min(newton.translation, newton.rotation),
