@@ -15,7 +15,7 @@ QUANTITIES = ("displacement", "reaction", "moment")
 ACCURACIES = (1e-2, 1e-3, 1e-4, 1e-5)
 FLOOR = 1e-9  # errors below it are as good as none
 _REFERENCE = 1e-8  # accuracy of the mesh that the converged solution starts from
-_RESIDUAL = 1e-12
+_RESIDUAL, _ITERATIONS = 1e-11, 300
 _PARTS = 2  # of each of its elements
 _DEGREE, _SHEAR_DEGREE = 7, 5  # high powers of a shear's softness are rounding
 
@@ -61,7 +61,7 @@ def converged(scene: Scene) -> Converged:
     finer = (edges[:-1, None] + np.diff(edges)[:, None] * share).ravel()
     more = degree - own.model.lateral.system.field.degree
     model = rebuilt(fine, own.model, np.append(finer, edges[-1]), more)
-    limit = replace(limits(fine), residual=_RESIDUAL)
+    limit = replace(limits(fine), residual=_RESIDUAL, iterations=_ITERATIONS)
     states, failure, _ = run(model, factors_of(scene), limit)
     assert failure is None, failure
     solved = replace(own, model=model, states=tuple(states))

@@ -18,7 +18,7 @@ from decks import REACH, deck
 from podeep.arrays import Array
 from podeep.database.read import Database
 
-RIGID = 1e15  # N m2: of a tube that stands for a rigid one of 5 m
+RIGID = 1e13  # N m2: of a tube that stands for a rigid one of 5 m
 ROWS = 200  # of the curve that stands for a square root
 
 
