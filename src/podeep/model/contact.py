@@ -18,7 +18,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from ..arrays import Array
+from ..arrays import Array, Index
 from ..soil.law import Law
 from ..soil.reaction import Reaction, Term
 
@@ -32,6 +32,14 @@ class Gap(Law):
     contact_stiffness: Array
     clearance: Array
     tolerance: float
+
+    def at(self, places: Index) -> "Gap":
+        """The same law at some of its points, in any order."""
+        return replace(
+            self,
+            contact_stiffness=self.contact_stiffness[places],
+            clearance=self.clearance[places],
+        )
 
     @property
     def capacity(self) -> Array:

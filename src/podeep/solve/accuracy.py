@@ -1,118 +1,116 @@
-"""Error estimates from equilibrium in richer elements, and refinement where they are large.
+"""Error estimates from equilibrium on a finer mesh of richer elements.
 
-The same mesh with one internal function and one Gauss point more an element contains the solved
-state. Equilibrium there is a step or two away and differs by what the coarser elements could not
-follow, at the nodes included: that difference is the estimate. Where to refine is told by the soil
-force that the Gauss points of an element do not resolve.
+Elements that do not follow the soil's force are cut where it bends, and all have one internal
+function and one Gauss point more. The finer problem contains the solved state. Equilibrium there is
+a step or two away and differs by what the coarser elements could not follow, at the nodes included:
+that difference is the estimate.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
-from ..arrays import Array, Index
+from ..arrays import Array
 from ..beam.field import Field
-from ..beam.shapes import gauss_interpolation, gauss_points
 from ..model.assemble import Model, Problem
 from ..model.coupling import pressed, rubbed, rubs
-from ..model.results import Results
+from ..model.results import Results, product
 from ..model.system import System
-from .newton import Limits, newton
+from .newton import Ending, Limits, newton
+from .refine import REST
 from .statics import State
 
-_RESIDUAL = 1e-4  # of the accuracy: how near the richer elements come to equilibrium
-_SHORTEST = 5e-5  # element over tube: shorter ones on a stiff tube are mere rounding
-_REST = 1e-6  # share of the run's largest value below which a step is at rest
-_REFINE = 0.2  # elements with at least this share of the largest unresolved force are halved
+_RESIDUAL = 1e-9  # how near the finer mesh comes to equilibrium: errors of iteration are seen too
+_BELOW = 1e-6  # of a depth: where the soil below a boundary is met, m
+_PLACES = 12  # depths in each element at which both meshes are compared
 
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
     """Estimated errors of a problem relative to the largest value in each step, shape (steps,).
 
-    displacement and moment (or normal force): largest change anywhere; reaction: change of the
-    largest value, since pointwise it means nothing where a cube root crosses zero. unresolved: soil
-    force that each embedded element does not resolve in each step, as a share of all soil force,
-    shape (steps, elements).
+    displacement, reaction and moment (or normal force): change of the largest value. anywhere:
+    largest change of displacement or moment at any depth. All are 1 in a step whose equilibrium on
+    the finer mesh was not found.
     """
 
     displacement: Array
     reaction: Array
     moment: Array
-    unresolved: Array
+    anywhere: Array
 
     @property
     def worst(self) -> Array:
-        """Largest relative error of each step, unresolved soil force included, shape (steps,)."""
-        force = self.unresolved.sum(axis=1)
-        return np.asarray(np.max([self.displacement, self.reaction, self.moment, force], axis=0))
+        """Largest relative error of each step, of any kind, shape (steps,)."""
+        kinds = (self.displacement, self.reaction, self.moment, self.anywhere)
+        return np.asarray(np.max(kinds, axis=0))
 
 
 def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
-    """The same state in elements of a higher degree: the added internal unknowns are zero."""
-    rows = np.zeros((fine.size, components))
-    given = q.reshape(-1, components)
-    head = coarse.local - coarse.nodal
-    rows[fine.dofs[:, :head]] = given[coarse.dofs[:, :head]]
-    rows[fine.dofs[:, -fine.nodal :]] = given[coarse.dofs[:, -coarse.nodal :]]
-    return rows.ravel()
+    """The same states in the elements of a finer field of at least the same degree.
+
+    q: shape (states, unknowns of the coarse field). The fine field's edges hold those of the coarse
+    one. Nodal values are taken over, internal ones fitted to what is left, which is exact.
+    """
+    given = np.moveaxis(q.reshape(len(q), -1, components), 2, 1)
+    rows = np.zeros((len(q), components, fine.size))
+    strings = fine.strings
+    joint, tube = np.unique(strings.joints, return_index=True)
+    tube = np.repeat(strings.leader, 2)[tube]
+    nodes = np.concatenate([fine.dofs[:, :1], fine.dofs[:, -fine.nodal, None]], axis=1)
+    first = np.zeros(len(joint), dtype=np.intp)
+    first[strings.joints] = nodes
+    depth = fine.edges[strings.edge]
+    rows[..., first] = product(given, coarse.interpolation(depth, tube=tube))
+    if fine.nodal == 2:
+        rows[..., first + 1] = fine.slope_length * product(given, coarse.rotation(depth, tube))
+    inner = slice(fine.nodal, fine.local - fine.nodal)
+    if fine.local > 2 * fine.nodal:
+        elements, count = fine.dofs.shape
+        share = (np.arange(count) + 0.5) / count
+        x = (fine.tops[:, None] + fine.lengths[:, None] * share).ravel()
+        of = np.repeat(strings.leader, count)
+        every = fine.interpolation(x, tube=of)
+        left = product(given, coarse.interpolation(x, tube=of)) - product(rows, every)
+        functions = every.data.reshape(elements, count, count)[..., inner]
+        fit = np.linalg.pinv(functions)
+        rest = left.reshape(len(q), components, elements, count)
+        rows[..., fine.dofs[:, inner]] = np.einsum("eig,sceg->scei", fit, rest)
+    return np.moveaxis(rows, 1, 2).reshape(len(q), -1)
 
 
 def _corrected(
     coarse: Problem,
     fine: Problem,
     systems: Sequence[System],
-    states: Sequence[Array],
+    states: Array,
     factors: Array,
     limits: Limits,
 ) -> tuple[Array, Array]:
-    """States prolonged to the fine problem, and its own equilibria near them, by its `systems`."""
-    field, components = coarse.system.field, fine.system.components
-    before = [prolong(q, field, fine.system.field, components) for q in states]
-    after = [
-        newton(system, q, fine.load(factor), limits).q
-        for q, system, factor in zip(before, systems, factors, strict=True)
+    """Equilibria of the fine problem near the states, by its `systems`, and where there are none."""
+    start = prolong(states, coarse.system.field, fine.system.field, fine.system.components)
+    found = [
+        newton(system, q, fine.load(factor), limits)
+        for q, system, factor in zip(start, systems, factors, strict=True)
     ]
-    return np.array(before), np.array(after)
+    lost = [outcome.ending is not Ending.CONVERGED for outcome in found]
+    return np.array([outcome.q for outcome in found]), np.array(lost)
 
 
 def _as_in(state: State, model: Model, system: System) -> System:
     """A lateral system as a state had it: its softening and its normal force."""
     softened = system.softened(state.softening)
-    return pressed(model, state.axial, state.lateral, softened) if system.second_order else softened
-
-
-def _unresolved(field: Field, coarse: Array, fine: Array) -> Array:
-    """Force between the polynomial through the coarse Gauss points and the reaction, by element.
-
-    coarse, fine: reaction at the coarse and the fine Gauss points of the embedded elements in one
-    state, shapes (steps, ..., elements * count) and (steps, ..., elements * (count + 1)).
-    """
-    lengths = np.diff(field.edges)[embedded(field)]
-    elements = len(lengths)
-    known = coarse.reshape(len(coarse), -1, elements, coarse.shape[-1] // elements)
-    true = fine.reshape(len(fine), -1, elements, fine.shape[-1] // elements)
-    xi, weight = gauss_points(true.shape[-1])
-    error = np.abs(known @ gauss_interpolation(xi, known.shape[-1]).T - true)
-    missing = (error @ weight).sum(axis=1) * lengths
-    whole = ((np.abs(true) @ weight).sum(axis=1) @ lengths)[:, None]
-    whole = np.maximum(whole, _REST * whole.max(initial=0.0))
-    share: Array = np.divide(missing, whole, out=np.zeros(missing.shape), where=whole > 0.0)
-    return share
-
-
-def _change(new: Array, old: Array) -> Array:
-    """Largest change over the largest value, for each step; 0 where there is nothing."""
-    return _ratio(_largest(new - old), _largest(new))
-
-
-def _change_of_largest(new: Array, old: Array) -> Array:
-    return _ratio(np.abs(_largest(new) - _largest(old)), _largest(new))
+    if not system.second_order:
+        return softened
+    return pressed(model, state.axial, state.lateral, softened)
 
 
 def _largest(values: Array) -> Array:
-    return np.asarray(np.abs(values).reshape(len(values), -1).max(axis=1, initial=0.0))
+    """Largest size in each step of values (steps, n), or of vectors (steps, components, n)."""
+    size = np.abs(values) if values.ndim == 2 else np.linalg.norm(values, axis=1)
+    return np.asarray(size.max(axis=1, initial=0.0))
 
 
 def _outer_moments(problem: Problem, states: Sequence[State], factors: Array) -> Array:
@@ -132,90 +130,82 @@ def _outer_moments(problem: Problem, states: Sequence[State], factors: Array) ->
 
 def _ratio(change: Array, size: Array) -> Array:
     """Change over size; a step at rest is measured by a share of the largest step."""
-    size = np.maximum(size, _REST * size.max(initial=0.0))
+    size = np.maximum(size, REST * size.max(initial=0.0))
     return np.divide(change, size, out=np.zeros(len(size)), where=size > 0.0)
 
 
-def estimate(
-    model: Model, richer: Model, states: Sequence[State], accuracy: float
-) -> tuple[Estimate, Estimate]:
-    """Estimate the discretisation errors of `states` of `model`, lateral and axial.
+@dataclass(frozen=True, slots=True)
+class _Pair:
+    """A quantity on the finer mesh and as it was, at the same depths, and its least scale."""
 
-    accuracy: what is asked of them; equilibrium in the richer elements is found to a share of it.
+    new: Array
+    old: Array
+    least: Array | float = 0.0
+
+    @property
+    def size(self) -> Array:
+        return np.maximum(_largest(self.new), self.least)
+
+    @property
+    def largest(self) -> Array:
+        """Change of the largest value over it."""
+        return _ratio(np.abs(_largest(self.new) - _largest(self.old)), self.size)
+
+    @property
+    def anywhere(self) -> Array:
+        """Largest change over the largest value."""
+        return _ratio(_largest(self.new - self.old), self.size)
+
+
+def _estimate(moved: _Pair, held: _Pair, inner: _Pair, lost: Array) -> Estimate:
+    """From displacement, reaction and moment (or normal force); lost: steps without equilibrium."""
+    anywhere = np.maximum(moved.anywhere, inner.anywhere)
+    kinds = (moved.largest, held.largest, inner.largest, anywhere)
+    return Estimate(*(np.where(lost, 1.0, kind) for kind in kinds))
+
+
+def estimate(old: Results, richer: Model, states: Sequence[State]) -> tuple[Estimate, Estimate]:
+    """Estimate the discretisation errors of solved `states`, lateral and axial.
+
+    old: their results. richer: the model on a finer mesh of a higher degree.
     """
-    limits = Limits(residual=_RESIDUAL * accuracy)
+    limits = Limits(residual=_RESIDUAL)
+    model = old.model
     factors = np.array([s.factors for s in states])
     bent = [_as_in(s, model, richer.lateral.system) for s in states]
     rough = richer.axial.system
     stretched = [rubbed(model, s.lateral, rough) if rubs(rough) else rough for s in states]
-    lateral = _corrected(
-        model.lateral, richer.lateral, bent, [s.lateral for s in states], factors, limits
-    )
-    axial = _corrected(
-        model.axial, richer.axial, stretched, [s.axial for s in states], factors, limits
-    )
-    reported = Results(
-        model, np.array([s.lateral for s in states]), np.array([s.axial for s in states])
-    )
-    old = Results(richer, lateral[0], axial[0])
-    new = Results(richer, lateral[1], axial[1])
-    x, shaft = (model.lateral.system.points[0].x, model.axial.system.points[0].x)
-    fine_x, fine_shaft = (richer.lateral.system.points[0].x, richer.axial.system.points[0].x)
-    every = np.sort(np.concatenate([richer.edges, fine_x]))
-    pressed, held = old.lateral_reaction(fine_x), old.axial_reaction(fine_shaft)
-    field = model.lateral.system.field
-
-    def moments(results: Results) -> Array:
-        return results.of_all(lambda x, tube: results.shear_and_moment(x, tube)[1], every)
-
-    def deflections(results: Results) -> Array:
-        return results.of_all(lambda x, tube: results.deflection(x, 0, tube), every)
-
-    def settlements(results: Results) -> Array:
-        return results.of_all(lambda x, tube: results.settlement(x, 0, tube), every)
-
-    moment = moments(new)
+    lateral, lost = _corrected(model.lateral, richer.lateral, bent, old.lateral, factors, limits)
+    axial, adrift = _corrected(model.axial, richer.axial, stretched, old.axial, factors, limits)
+    new = Results(richer, lateral, axial)
+    share = np.arange(_PLACES) / _PLACES
+    inside = richer.edges[:-1, None] + np.diff(richer.edges)[:, None] * share
+    every = np.append(inside.ravel(), richer.edges[-1])
+    wet = np.unique(np.concatenate([every, richer.edges[:-1] + _BELOW]))
+    wet = wet[wet >= 0.0]
     outer = _outer_moments(model.lateral, states, factors)
+
+    def both(value: Callable[[Results, Array, int], Array]) -> tuple[Array, Array]:
+        """Values of all tubes on the finer mesh and as they were."""
+        new_, old_ = (r.of_all(partial(value, r), every) for r in (new, old))
+        return new_, old_
+
     return (
-        Estimate(
-            _change(deflections(new), deflections(old)),
-            _change_of_largest(new.lateral_reaction(fine_x), pressed),
-            _ratio(
-                _largest(moment - moments(reported)),
-                np.maximum(_largest(moment), outer),
-            ),
-            _unresolved(field, old.lateral_reaction(x), pressed),
+        _estimate(
+            _Pair(*both(lambda r, x, tube: r.deflection(x, 0, tube))),
+            _Pair(new.lateral_reaction(wet), old.lateral_reaction(wet)),
+            _Pair(*both(lambda r, x, tube: r.shear_and_moment(x, tube)[1]), outer),
+            lost,
         ),
-        Estimate(
-            _change(settlements(new), settlements(old)),
-            _change_of_largest(new.axial_reaction(fine_shaft), held),
-            _change(*(r.of_all(r.compression, every) for r in (new, reported))),
-            _unresolved(field, old.axial_reaction(shaft), held),
+        _estimate(
+            _Pair(*both(lambda r, x, tube: r.settlement(x, 0, tube))),
+            _Pair(new.axial_reaction(wet), old.axial_reaction(wet)),
+            _Pair(*both(lambda r, x, tube: r.compression(x, tube))),
+            adrift,
         ),
     )
 
 
-def unestimated(model: Model, steps: int) -> Estimate:
+def unestimated(steps: int) -> Estimate:
     """Errors of 100 % for states whose estimate was not waited for."""
-    whole = np.ones(steps)
-    return Estimate(whole, whole, whole, np.zeros((steps, model.elements)))
-
-
-def embedded(field: Field) -> Index:
-    """Intervals below the mudline."""
-    return np.flatnonzero(field.edges[1:] > 1e-6)
-
-
-def refine(model: Model, estimates: Sequence[Estimate], accuracy: float) -> Array:
-    """Boundaries with those elements halved that resolve least in steps not accurate enough.
-
-    An element that is too short for the arithmetic stays as it is.
-    """
-    field = model.lateral.system.field
-    poor = np.concatenate([e.unresolved[e.worst > accuracy] for e in estimates])
-    lengths = np.diff(field.edges)
-    split = np.zeros(len(lengths), dtype=bool)
-    split[embedded(field)] = (poor >= _REFINE * poor.max(axis=1, keepdims=True)).any(axis=0)
-    split &= lengths > 2.0 * _SHORTEST * (field.edges[-1] - field.edges[0])
-    middle = 0.5 * (field.edges[:-1] + field.edges[1:])[split]
-    return np.sort(np.concatenate([field.edges, middle]))
+    return Estimate(*(np.ones(steps) for _ in range(4)))

@@ -1,5 +1,6 @@
 """A foundation from scene to solved states: model, steps, error estimate, refinement."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,8 +14,9 @@ from ..model.needs import needs
 from ..model.results import Results
 from ..scene import Foundation, Scene
 from ..soil.profile import profile_of
-from .accuracy import Estimate, estimate, refine, unestimated
+from .accuracy import Estimate, estimate, unestimated
 from .newton import Limits
+from .refine import Unresolved, finer, unresolved
 from .statics import Failure, NoEquilibrium, State, steps
 
 DEGREE = 5  # of the deflection in an element, unless the scene says otherwise
@@ -48,11 +50,14 @@ class Solved:
     @property
     def results(self) -> Results:
         """All steps at once."""
-        return Results(
-            self.model,
-            np.array([s.lateral for s in self.states]),
-            np.array([s.axial for s in self.states]),
-        )
+        return results_of(self.model, self.states)
+
+
+def results_of(model: Model, states: Sequence[State]) -> Results:
+    """The states of a model at once."""
+    return Results(
+        model, np.array([s.lateral for s in states]), np.array([s.axial for s in states])
+    )
 
 
 def limits(scene: Scene) -> Limits:
@@ -78,16 +83,13 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
     """
     model = first_model(scene, foundation)
     factors = np.array(scene.steps.factors).reshape(len(scene.steps.factors), -1)
+    accuracy = scene.numerics.accuracy
     best: Solved | None = None
     stale = 0
     for _ in range(_ROUNDS):
         states, failure, interrupted = run(model, factors, limits(scene))
-        richer = rebuilt(scene, model, model.edges, 1)
-        try:
-            found = estimate(model, richer, states, scene.numerics.accuracy)
-        except KeyboardInterrupt:
-            found, interrupted = (unestimated(model, len(states)),) * 2, True
-        accuracy = scene.numerics.accuracy
+        parts, found, stopped = estimated(scene, model, states)
+        interrupted = interrupted or stopped
         one = Solved(model, tuple(states), found, failure, accuracy, interrupted)
         if best is None or better(one, best):
             best, stale = one, 0
@@ -96,12 +98,28 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
         enough = best.accurate or interrupted or scene.numerics.elements is not None
         if enough or stale == _PATIENCE or 2 * model.elements > _MOST_ELEMENTS:
             break
-        finer = refine(model, found, accuracy)
-        if len(finer) == len(model.edges):
+        poor = [e.worst > accuracy for e in found]
+        boundaries = finer(parts, [poor[one.problem is model.axial] for one in parts])
+        if len(boundaries) == len(model.edges):
             break
-        model = rebuilt(scene, model, finer, 0)
+        model = rebuilt(scene, model, boundaries, 0)
     assert best is not None
     return best
+
+
+def estimated(
+    scene: Scene, model: Model, states: Sequence[State]
+) -> tuple[tuple[Unresolved, ...], tuple[Estimate, Estimate], bool]:
+    """What the elements do not resolve, estimated errors, and whether the user ended it."""
+    old = results_of(model, states)
+    parts = unresolved(old)
+    try:
+        every = np.ones(len(states), dtype=bool)
+        richer = rebuilt(scene, model, finer(parts, [every] * len(parts)), 1)
+        found = estimate(old, richer, states)
+    except KeyboardInterrupt:
+        return parts, (unestimated(len(states)),) * 2, True
+    return parts, found, False
 
 
 def better(one: Solved, other: Solved) -> bool:
