@@ -17,8 +17,6 @@ with (Path(__file__).parent / "data" / "valid" / "PR13_own.csv").open() as file:
 PILES = {"D1": (7.5, 22.5, 0.068, 37.5), "D2": (8.75, 35.0, 0.091, 87.5)}
 
 
-
-
 def given(name: str) -> tuple[np.ndarray, np.ndarray]:
     """Loads (N) and displacements of the ground (m) of a pile."""
     rows = [row for row in ROWS if row["pile"] == name]

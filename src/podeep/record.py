@@ -28,22 +28,26 @@ def sheet(scene: Scene, solved: Solved) -> Sheet:
     results, model = solved.results, solved.model
     foundation, axis = model.foundation, model.needs.lateral_axis
     depth = output_depths(results, scene.numerics.accuracy)
-    tube = scene.tubes[foundation.tubes[0]]
     marks = foundation.mudline - np.array(scene.marks(foundation))
-    x = tube_depths(results, depth, marks)
+    numbers = dict(enumerate(foundation.tubes))
+    x = {igr: tube_depths(results, depth, marks, i) for i, igr in numbers.items()}
     grid = Grid(
         name=foundation.name,
         depth=depth,
-        tube=np.full(len(depth), tube.id),
+        tube=np.array(foundation.tubes)[results.outermost(depth)],
         layer=model.profile.layer(depth),
         layer_boundaries=np.array([b for b in model.profile.boundaries if b < depth[-1]]),
         mudline=foundation.mudline,
         lateral_axis=axis,
-        tubes={tube.id: foundation.mudline - x},
+        tubes={igr: foundation.mudline - at for igr, at in x.items()},
     )
     values = {
         **soil_values(results, depth, axis),
-        **{f"tubes/{tube.id}/{k}": v for k, v in tube_values(results, x).items()},
+        **{
+            f"tubes/{igr}/{name}": value
+            for i, igr in numbers.items()
+            for name, value in tube_values(results, x[igr], i).items()
+        },
         **progress_values(solved),
     }
     if scene.steps.names:
@@ -78,23 +82,23 @@ def soil_values(results: Results, depth: Array, axis: float | None) -> dict[str,
     }
 
 
-def tube_values(results: Results, x: Array) -> dict[str, Array]:
-    """Motion and internal forces of a tube at depths x, in global axes with z up."""
-    shear, moment = results.shear_and_moment(x)
-    displacement = results.global_vector(results.deflection(x))
-    turned = results.global_vector(results.rotation(x))
+def tube_values(results: Results, x: Array, tube: int) -> dict[str, Array]:
+    """Motion and internal forces of a tube, by its number, at depths x, in global axes, z up."""
+    shear, moment = results.shear_and_moment(x, tube)
+    displacement = results.global_vector(results.deflection(x, 0, tube))
+    turned = results.global_vector(results.rotation(x, tube))
     shears, moments = results.global_vector(shear), results.global_vector(moment)
     return {
         "displacement_x": displacement[0],
         "displacement_y": displacement[1],
-        "displacement_z": -results.settlement(x),
+        "displacement_z": -results.settlement(x, 0, tube),
         "rotation_x": turned[1],
         "rotation_y": -turned[0],
         "moment_x": -moments[1],
         "moment_y": moments[0],
         "shear_x": shears[0],
         "shear_y": shears[1],
-        "normal_force": results.compression(x),
+        "normal_force": results.compression(x, tube),
     }
 
 

@@ -22,8 +22,13 @@ def summary(solved: Solved) -> dict[str, Any]:
     results, model = solved.results, solved.model
     x = np.sort(np.concatenate([model.edges, model.lateral.system.points[0].x]))
     head = x[:1]
-    moment = largest(results.shear_and_moment(x)[1][-1])
-    place = int(np.argmax(moment))
+    bent = [
+        (float(m[i := int(np.argmax(m))]), float(at[i]), igr)
+        for tube, igr in enumerate(model.foundation.tubes)
+        for at in [results.along(tube, x)]
+        for m in [largest(results.shear_and_moment(at, tube)[1][-1])]
+    ]
+    moment, place, igr = max(bent)
     last = [(e.displacement[-1], e.reaction[-1], e.moment[-1]) for e in solved.estimates]
     displacements, reactions, moments = np.array(last).T.tolist()
     return {
@@ -37,8 +42,9 @@ def summary(solved: Solved) -> dict[str, Any]:
         "iterations": sum(s.iterations for s in solved.states),
         "head_lateral_displacement_m": float(largest(results.deflection(head)[-1])[0]),
         "head_axial_displacement_m": float(results.settlement(head)[-1, 0]),
-        "largest_moment_Nm": float(moment[place]),
-        "largest_moment_depth_m": float(x[place]),
+        "largest_moment_Nm": moment,
+        "largest_moment_depth_m": place,
+        "largest_moment_tube": igr,
         "estimated_error_displacement": max(displacements),
         "estimated_error_reaction": max(reactions),
         "estimated_error_moment": max(moments),

@@ -1,4 +1,4 @@
-"""A displacement field over the elements of one tube: degrees of freedom, interpolation, energy.
+"""A displacement field over the elements of tubes: degrees of freedom, interpolation, energy.
 
 The same class is the deflection of a beam (continuity 1, stiffness EI) and its stretch
 (continuity 0, stiffness EA). Its coordinate x is the depth below the mudline, positive down and
@@ -15,17 +15,18 @@ from scipy import sparse
 
 from ..arrays import Array, Index
 from .shapes import gauss_points, nodal_functions, shape_functions
+from .strings import Strings, chain
 
 Motion = Literal["value", "slope", "rotation"]
 
 
 @dataclass(frozen=True)
 class Field:
-    """One scalar displacement, piecewise polynomial.
+    """One scalar displacement of each tube, piecewise polynomial.
 
-    edges: element boundaries, shape (elements + 1,), rising, m. stiffness: EI (N m2) or EA (N) of
-    each element. `dofs` numbers the unknowns from the top down; internal unknowns of an element
-    stand between those of its two nodes, which keeps the band as narrow as it can be.
+    edges: element boundaries, shape (intervals + 1,), rising, m. stiffness: EI (N m2) or EA (N) of
+    each element. woven: how the elements of several tubes meet; None is one tube. `dofs` numbers
+    the unknowns from the top down.
 
     shear_stiffness: GAs (N) of each element; None is a tube rigid in shear. With it the second
     unknown of a node is the rotation psi of the section, not the slope. Moment and shear force
@@ -42,10 +43,21 @@ class Field:
     continuity: int
     slope_length: float = 1.0
     shear_stiffness: Array | None = None
+    woven: Strings | None = None
+
+    @cached_property
+    def strings(self) -> Strings:
+        return self.woven or chain(len(self.edges) - 1)
+
+    @cached_property
+    def tops(self) -> Array:
+        """Depth of the top of each element, m."""
+        return self.edges[self.strings.interval]
 
     @cached_property
     def lengths(self) -> Array:
-        return np.diff(self.edges)
+        """Length of each element, m."""
+        return np.diff(self.edges)[self.strings.interval]
 
     @cached_property
     def nodal(self) -> int:
@@ -60,17 +72,17 @@ class Field:
     @cached_property
     def dofs(self) -> Index:
         """Unknowns of each element, shape (elements, local)."""
-        first = np.arange(len(self.lengths)) * (self.local - self.nodal)
-        return first[:, None] + np.arange(self.local)
+        return self.strings.number(self.nodal, self.local - 2 * self.nodal)
 
     @cached_property
     def size(self) -> int:
-        return int(self.dofs[-1, -1]) + 1
+        return int(self.dofs.max()) + 1
 
-    def node(self, x: float) -> int:
-        """First unknown (the value) of the node nearest to x; slopes follow it."""
-        index = int(np.argmin(np.abs(self.edges - x)))
-        return index * (self.local - self.nodal)
+    def node(self, x: float, tube: int = 0) -> int:
+        """First unknown (the value) of the node of a tube nearest to x; slopes follow it."""
+        joint = self.strings.joint(int(np.argmin(np.abs(self.edges - x))), tube)
+        element, end = np.argwhere(self.strings.joints == joint)[0]
+        return int(self.dofs[element, -self.nodal if end else 0])
 
     @cached_property
     def scale(self) -> Array:
@@ -82,10 +94,10 @@ class Field:
             scale[:, -1] = slope
         return scale
 
-    def elements(self, x: Array) -> Index:
-        """Element that holds each x; a shared edge belongs to the element above it."""
+    def elements(self, x: Array, tube: Index | int = 0) -> Index:
+        """Element of a tube that holds each x; a shared edge belongs to the element above it."""
         inner = np.searchsorted(self.edges[1:-1], x, side="left")
-        return np.asarray(inner, dtype=np.intp)
+        return self.strings.element(inner, tube)
 
     @cached_property
     def softness(self) -> Array:
@@ -136,27 +148,32 @@ class Field:
             return values
         return np.asarray((values[:, None, :] @ self.mixture[element])[:, 0])
 
-    def interpolation(self, x: Array, derivative: int = 0) -> sparse.csr_array:
-        """Matrix (len(x), size) from unknowns to the field, or a derivative d/dx of it, at x."""
-        element, xi = self._inside(x)
+    def interpolation(
+        self, x: Array, derivative: int = 0, tube: Index | int = 0
+    ) -> sparse.csr_array:
+        """Matrix (len(x), size) from unknowns to the field, or a derivative d/dx of it, at x.
+
+        tube: its number, one or for each x.
+        """
+        element, xi = self._inside(x, tube)
         values = shape_functions(xi, self.continuity, self.degree, derivative)
         return self._matrix(values, element, derivative)
 
-    def rotation(self, x: Array) -> sparse.csr_array:
+    def rotation(self, x: Array, tube: Index | int = 0) -> sparse.csr_array:
         """Matrix (len(x), size) from unknowns to the rotation psi of the section at x."""
-        element, xi = self._inside(x)
+        element, xi = self._inside(x, tube)
         return self._matrix(self._turned(xi, element, 0), element, 1)
 
-    def motion(self, x: Array, motion: Motion) -> sparse.csr_array:
+    def motion(self, x: Array, motion: Motion, tube: Index | int = 0) -> sparse.csr_array:
         """Matrix (len(x), size) from unknowns to a motion at x."""
         if motion == "rotation":
-            return self.rotation(x)
-        return self.interpolation(x, int(motion == "slope"))
+            return self.rotation(x, tube)
+        return self.interpolation(x, int(motion == "slope"), tube)
 
-    def _inside(self, x: Array) -> tuple[Index, Array]:
+    def _inside(self, x: Array, tube: Index | int) -> tuple[Index, Array]:
         """Element that holds each x, and the place in it from -1 to 1."""
-        element = self.elements(x)
-        return element, (x - self.edges[element]) / (0.5 * self.lengths[element]) - 1.0
+        element = self.elements(x, tube)
+        return element, (x - self.tops[element]) / (0.5 * self.lengths[element]) - 1.0
 
     def _matrix(self, values: Array, element: Index, derivative: int) -> sparse.csr_array:
         """From values of unmixed functions in d/dxi^derivative, (n, local), to all unknowns."""

@@ -14,9 +14,10 @@ taken: at most 1.5 w'^2 of it is missing.
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import Fault, UserError
 from ..scene import Numerics
-from .assemble import quadrature
+from .assemble import Model, quadrature
 from .mesh import Stretch
 from .needs import Decision
 from .results import Results
@@ -38,9 +39,10 @@ def check_shear(numerics: Numerics, name: str, pieces: tuple[Stretch, ...]) -> N
 def _known(pieces: tuple[Stretch, ...]) -> bool:
     """Whether the stiffness in shear is known all along."""
     return all(
-        p.section.bending_stiffness_override is None
-        or p.section.shear_stiffness_override is not None
-        for p in pieces
+        section.bending_stiffness_override is None or section.shear_stiffness_override is not None
+        for piece in pieces
+        for section in piece.sections
+        if section is not None
     )
 
 
@@ -51,24 +53,33 @@ def left_out(results: Results, accuracy: float) -> tuple[Decision, ...]:
     work = float(system.internal(results.lateral[-1]) @ results.lateral[-1])
     if not work > 0.0:
         return ()
-    x, weight = quadrature(field.edges, np.arange(len(field.lengths)), _POINTS)
-    piece = np.searchsorted([p.bottom for p in model.pieces[:-1]], x)
     found = []
-    slope = np.linalg.norm(results.deflection(x, 1)[-1], axis=0)
-    steepest = float(slope.max())
+    steepest, pressing, shearing = 0.0, 0.0, 0.0
+    for tube, soft in enumerate(_softness(model)):
+        there = np.flatnonzero(field.strings.carrier[tube] >= 0)
+        x, weight = quadrature(field.edges, there, _POINTS)
+        slope = np.linalg.norm(results.deflection(x, 1, tube)[-1], axis=0)
+        shear = np.linalg.norm(results.shear_and_moment(x, tube)[0][-1], axis=0)
+        steepest = max(steepest, float(slope.max()))
+        pressing += float(weight @ (results.compression(x, tube)[-1] * slope**2))
+        shearing += float(weight @ (np.repeat(soft[there], _POINTS) * shear**2))
     if 1.5 * steepest**2 > accuracy:
         reason = f"a slope of {steepest:.2g} alters curvatures by up to {1.5 * steepest**2:.1e}"
         found.append(Decision("no large rotations", reason))
     if not model.needs.second_order:
-        share = float(weight @ (results.compression(x)[-1] * slope**2)) / work
+        share = pressing / work
         if abs(share) > accuracy:
             verb = "add" if share > 0.0 else "take away"
             reason = f"the normal force would {verb} some {abs(share):.1e} of the deflection"
             found.append(Decision("no P-delta", reason))
     if not model.needs.shear and _known(model.pieces):
-        shear = np.linalg.norm(results.shear_and_moment(x)[0][-1], axis=0)
-        soft = np.array([1.0 / p.section.shear_stiffness for p in model.pieces])[piece]
-        share = float(weight @ (soft * shear**2)) / work
+        share = shearing / work
         if share > accuracy:
             found.append(Decision("no shear", f"it would add some {share:.1e} of the deflection"))
     return tuple(found)
+
+
+def _softness(model: Model) -> Array:
+    """1 / GAs of each tube in each interval, (tubes, intervals); 0 where it is not."""
+    stiffness = model.parts.shearing.T
+    return np.divide(1.0, stiffness, out=np.zeros_like(stiffness), where=stiffness > 0.0)

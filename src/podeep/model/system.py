@@ -8,9 +8,9 @@ a vector along the displacement, with the secant p/r across it and the tangent p
 """
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -21,9 +21,10 @@ from ..arrays import Array, Index
 from ..beam.band import band_place, bandwidth, pairs, scatter, scatter_matrix
 from ..beam.field import Field, Motion
 from ..soil.reaction import Reaction
-from .compression import compression
+from .contact import Friction
 
 _FAR = 0.1  # displacement at which any soil is taken to have its capacity, m: for directions alone
+_FURTHEST = 10.0  # displacement at which a contact is surely closed, m
 _DENSE = 40_000  # entries below which a dense product beats a sparse one (call overhead)
 
 
@@ -34,7 +35,9 @@ class Points:
     motion: what the reaction resists: the field by a force, its slope or the rotation of the
     section by a moment. follows: place of the points, as many, whose current |reaction| scales
     this one; None: nothing does. spread: the reaction acts along the field, not at one end of it.
-    compressed: the reaction is that of the normal force, which every step gives anew.
+    compressed: the reaction is that of the normal force, which every step gives anew. tube: number
+    of the tube that it acts on, one or for each point. against: the tube whose motion is taken off
+    and on which the opposite acts; None is the ground.
     """
 
     x: Array
@@ -44,6 +47,29 @@ class Points:
     follows: int | None = None
     spread: bool = True
     compressed: bool = False
+    tube: Index | int = 0
+    against: int | None = None
+
+    @property
+    def friction(self) -> Friction | None:
+        """The friction of tubes against each other, if that is what acts."""
+        law = self.reaction.laws[0].law if self.reaction.laws else None
+        return law if isinstance(law, Friction) else None
+
+    def matrix(self, field: Field) -> sparse.csr_array:
+        """From the unknowns to the motion at each point, (points, unknowns)."""
+        return _stacked([self.rows(field)], field.size)
+
+    def rows(self, field: Field) -> tuple[Index, Array]:
+        """Unknowns that the motion at each point consists of, and their shares, (points, n)."""
+        matrices = [field.motion(self.x, self.motion, self.tube)]
+        if self.against is not None:
+            matrices.append(-field.motion(self.x, self.motion, self.against))
+        split = [
+            (m.indices.reshape(len(self.x), -1), m.data.reshape(len(self.x), -1)) for m in matrices
+        ]
+        dofs, shares = (np.concatenate(parts, axis=1) for parts in zip(*split, strict=True))
+        return dofs.astype(np.intp), shares
 
 
 @dataclass(frozen=True)
@@ -76,13 +102,9 @@ class System:
         self._slices = [slice(a, b) for a, b in itertools.pairwise(cuts)]
         weight = np.concatenate([p.weight for p in points]) if points else np.zeros(0)
         self.weight = weight
-        none = np.zeros(0)
-        shape = sparse.csr_array(
-            sparse.vstack(
-                [field.motion(p.x, p.motion) for p in points] or [field.interpolation(none)]
-            )
-        )
-        self._build_tangent(shape, springs)
+        rows = [p.rows(field) for p in points]
+        shape = _stacked(rows, field.size)
+        self._build_tangent(rows, springs)
         weighted = sparse.csr_array((shape * weight[:, None]).T)
         modes, stiffness = field.strain_modes
         stress = sparse.csr_array((modes * stiffness[:, None]).T)
@@ -90,8 +112,8 @@ class System:
         self._observe = _compact(sparse.csr_array(sparse.vstack([shape, modes])))
         self._balance = _compact(sparse.csr_array(sparse.hstack([weighted, stress])))
         self._count = len(weight)
-        capacity = [self._capacity(p) for p in points] or [none]
-        self._capacity_moduli = np.nan_to_num(np.concatenate(capacity), posinf=0.0) / _FAR
+        moduli = [self._capacity_modulus(p) for p in points]
+        self._capacity_moduli = np.concatenate([np.zeros(0), *moduli])
         self.softening = 1.0
         self._sprung, self._springs = bool(springs), np.zeros(self.size)
         np.add.at(self._springs, [s.dof for s in springs], [s.stiffness for s in springs])
@@ -99,11 +121,12 @@ class System:
         self._soft = np.zeros(self.size)
         np.add.at(self._soft, [s.dof for s in soft], [s.stiffness for s in soft])
 
-    def _build_tangent(self, shape: sparse.csr_array, springs: Sequence[Spring]) -> None:
+    def _build_tangent(
+        self, points: Sequence[tuple[Index, Array]], springs: Sequence[Spring]
+    ) -> None:
         field, m = self.field, self.components
-        interleaved = field.dofs[:, :, None] * m + np.arange(m)
-        every = interleaved.reshape(len(field.dofs), -1)
-        self.width = bandwidth(every)
+        coupled = [field.dofs, *(dofs for dofs, _ in points if len(dofs))]
+        self.width = max(bandwidth(dofs) for dofs in coupled) * m
         storage = self.width * self.size
         free = np.ones(self.size, dtype=bool)
         free[self.held] = False
@@ -122,7 +145,7 @@ class System:
         held_place = np.asarray(self.held) * self.width
         linear[held_place] = 1.0
         self._linear = linear
-        self._spread = _compact(self._spreading(shape, keep, storage))
+        self._spread = _compact(self._spreading(points, keep, storage))
 
     def _kept(self, free: npt.NDArray[np.bool_]) -> Array:
         """1 where row and column of a stored entry are both free, 0 elsewhere."""
@@ -132,46 +155,51 @@ class System:
         kept = inside & free[column] & free[np.minimum(row, self.size - 1)]
         return kept.astype(np.float64)
 
-    def _spreading(self, shape: sparse.csr_array, keep: Array, storage: int) -> sparse.csr_array:
+    def _spreading(
+        self, points: Sequence[tuple[Index, Array]], keep: Array, storage: int
+    ) -> sparse.csr_array:
         """Matrix from the moduli at the points to the band they add to."""
-        m, count = self.components, shape.shape[0]
-        local = self.field.local
-        dofs = shape.indices.reshape(count, local).astype(np.intp)
-        values = shape.data.reshape(count, local)
-        i, j = np.tril_indices(local)
-        product = values[:, i] * values[:, j] * self.weight[:, None]
-        source = np.broadcast_to(np.arange(count)[:, None], product.shape)
-        places, entries, sources = [], [], []
-        for c in range(m):  # direct terms: component c with itself
-            places.append(band_place(dofs[:, i] * m + c, dofs[:, j] * m + c, self.width))
-            entries.append(product)
-            sources.append(source + c * count)
-        if m == 2:  # cross terms: component 1 of i with component 0 of j, and the reverse
-            first, second = np.meshgrid(np.arange(local), np.arange(local), indexing="ij")
-            full = values[:, first.ravel()] * values[:, second.ravel()] * self.weight[:, None]
-            one, zero = dofs[:, first.ravel()] * 2 + 1, dofs[:, second.ravel()] * 2
-            places.append(band_place(np.maximum(one, zero), np.minimum(one, zero), self.width))
-            entries.append(full)
-            sources.append(np.broadcast_to(np.arange(count)[:, None] + 2 * count, full.shape))
-        place = np.concatenate([p.ravel() for p in places])
-        entry = np.concatenate([e.ravel() for e in entries]) * keep[place]
+        m, count = self.components, len(self.weight)
+        places, entries, sources = [np.zeros(0, np.intp)], [np.zeros(0)], [np.zeros(0, np.intp)]
+
+        def add(rows: Index, columns: Index, entry: Array, source: Index) -> None:
+            places.append(band_place(rows, columns, self.width).ravel())
+            entries.append(entry.ravel())
+            sources.append(np.broadcast_to(source, entry.shape).ravel())
+
+        for (dofs, shares), at in zip(points, self._slices, strict=True):
+            weighted, local = shares * self.weight[at, None], dofs.shape[1]
+            source = np.arange(at.start, at.stop)[:, None]
+            i, j = np.tril_indices(local)
+            rows, columns = np.maximum(dofs[:, i], dofs[:, j]), np.minimum(dofs[:, i], dofs[:, j])
+            twice = 1.0 + ((rows == columns) & (i != j))  # one unknown of both tubes
+            for c in range(m):  # direct terms: component c with itself
+                entry = twice * shares[:, i] * weighted[:, j]
+                add(rows * m + c, columns * m + c, entry, source + c * count)
+            if m == 2:  # cross terms: component 1 of i with component 0 of j, and the reverse
+                first, second = (a.ravel() for a in np.indices((local, local)))
+                one, zero = dofs[:, first] * 2 + 1, dofs[:, second] * 2
+                entry = shares[:, first] * weighted[:, second]
+                add(np.maximum(one, zero), np.minimum(one, zero), entry, source + 2 * count)
+        place = np.concatenate(places)
         kinds = 1 if m == 1 else 3
         return scatter_matrix(
-            place, entry, np.concatenate([s.ravel() for s in sources]), (storage, kinds * count)
+            place,
+            np.concatenate(entries) * keep[place],
+            np.concatenate(sources),
+            (storage, kinds * count),
         )
 
-    def compressed(self, force: Array) -> "System":
-        """The same system under a normal force (N, compression positive) at its points for it."""
+    def replaced(self, points: Iterable[Points]) -> "System":
+        """The same system with other reactions at its points."""
         other = copy(self)
-        other.points = tuple(
-            replace(p, reaction=compression(force)) if p.compressed else p for p in self.points
-        )
+        other.points = tuple(points)
         return other
 
     @property
-    def compression_points(self) -> Array:
-        """Depths at which the normal force acts on the slope, m; none where it does not."""
-        return next((p.x for p in self.points if p.compressed), np.zeros(0))
+    def second_order(self) -> bool:
+        """Whether a normal force works on the slope."""
+        return any(p.compressed for p in self.points)
 
     def stable(self) -> bool:
         """Whether the tangent at the last `internal` is positive definite."""
@@ -199,11 +227,13 @@ class System:
         """The field at the Gauss points, shape (points, components)."""
         return np.asarray((self._observe @ q.reshape(-1, self.components))[: self._count])
 
-    def _capacity(self, points: Points) -> Array:
-        """Bound of the reaction at some points, (n,)."""
-        own = points.reaction.capacity
-        leader = points.follows
-        return own if leader is None else own * self.points[leader].reaction.capacity
+    def _capacity_modulus(self, points: Points) -> Array:
+        """Share of the bound of the reaction at some points, (n,), or its last modulus."""
+        bound, leader = points.reaction.capacity, points.follows
+        if leader is not None:
+            bound = bound * self.points[leader].reaction.capacity
+        last = points.reaction.evaluate(np.full(len(bound), _FURTHEST))[1]
+        return np.asarray(np.where(np.isfinite(bound), bound / _FAR, last))
 
     def react(self, u: Array) -> tuple[Array, Array]:
         """Reaction and modulus at signed displacements or distances u, shape (..., points).
@@ -300,6 +330,15 @@ class System:
         moduli[count : 2 * count] = across + more[:, 1] * direction[:, 1]
         moduli[2 * count :] = more[:, 0] * direction[:, 1]
         return moduli
+
+
+def _stacked(rows: Sequence[tuple[Index, Array]], size: int) -> sparse.csr_array:
+    """Matrix from the unknowns to the motions at all points."""
+    matrices = [
+        sparse.csr_array((v.ravel(), d.ravel(), np.arange(len(d) + 1) * d.shape[1]), (len(d), size))
+        for d, v in rows
+    ]
+    return sparse.csr_array(sparse.vstack([sparse.csr_array((0, size)), *matrices]))
 
 
 def _compact(matrix: sparse.csr_array) -> sparse.csr_array | Array:

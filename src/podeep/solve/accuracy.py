@@ -6,15 +6,17 @@ a step or two away and differs by what the coarser elements could not follow, at
 that difference is the estimate.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from ..arrays import Array
 from ..beam.field import Field
 from ..model.assemble import Model, Problem
-from ..model.results import Results, compression, product
+from ..model.coupling import pressed, rubbed, rubs
+from ..model.results import Results, product
 from ..model.system import System
 from .newton import Ending, Limits, newton
 from .refine import REST
@@ -54,17 +56,20 @@ def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
     """
     given = np.moveaxis(q.reshape(len(q), -1, components), 2, 1)
     rows = np.zeros((len(q), components, fine.size))
-    nodes = np.append(fine.dofs[:, 0], fine.dofs[-1, -fine.nodal])
-    rows[..., nodes] = product(given, coarse.interpolation(fine.edges))
-    if fine.nodal == 2:
-        rows[..., nodes + 1] = fine.slope_length * product(given, coarse.rotation(fine.edges))
+    tube = fine.strings.leader
+    for x, node in ((fine.tops, 0), (fine.tops + fine.lengths, -fine.nodal)):
+        rows[..., fine.dofs[:, node]] = product(given, coarse.interpolation(x, 0, tube))
+        if fine.nodal == 2:
+            turned = product(given, coarse.rotation(x, tube))
+            rows[..., fine.dofs[:, node + 1]] = fine.slope_length * turned
     inner = slice(fine.nodal, fine.local - fine.nodal)
     if fine.local > 2 * fine.nodal:
         elements, count = fine.dofs.shape
         share = (np.arange(count) + 0.5) / count
-        x = (fine.edges[:-1, None] + fine.lengths[:, None] * share).ravel()
-        left = product(given, coarse.interpolation(x)) - product(rows, fine.interpolation(x))
-        functions = fine.interpolation(x).data.reshape(elements, count, count)[..., inner]
+        x, of = (fine.tops[:, None] + fine.lengths[:, None] * share).ravel(), np.repeat(tube, count)
+        matrix = fine.interpolation(x, 0, of)
+        left = product(given, coarse.interpolation(x, 0, of)) - product(rows, matrix)
+        functions = matrix.data.reshape(elements, count, count)[..., inner]
         fit = np.linalg.pinv(functions)
         rest = left.reshape(len(q), components, elements, count)
         rows[..., fine.dofs[:, inner]] = np.einsum("eig,sceg->scei", fit, rest)
@@ -79,7 +84,7 @@ def _corrected(
     factors: Array,
     limits: Limits,
 ) -> tuple[Array, Array]:
-    """Equilibria of the fine problem near the states, by its `systems`, and where there are none."""
+    """Equilibria of the fine problem near the states, by its `systems`; where there are none."""
     start = prolong(states, coarse.system.field, fine.system.field, fine.system.components)
     found = [
         newton(system, q, fine.load(factor), limits)
@@ -91,8 +96,8 @@ def _corrected(
 
 def _as_in(state: State, model: Model, system: System) -> System:
     """A lateral system as a state had it: its softening and its normal force."""
-    softened, x = system.softened(state.softening), system.compression_points
-    return softened.compressed(compression(model, state.axial, x)) if len(x) else softened
+    softened = system.softened(state.softening)
+    return pressed(model, state.axial, state.lateral, softened) if system.second_order else softened
 
 
 def _largest(values: Array) -> Array:
@@ -152,9 +157,7 @@ def _estimate(moved: _Pair, held: _Pair, inner: _Pair, lost: Array) -> Estimate:
     return Estimate(*(np.where(lost, 1.0, kind) for kind in kinds))
 
 
-def estimate(
-    old: Results, richer: Model, states: Sequence[State]
-) -> tuple[Estimate, Estimate]:
+def estimate(old: Results, richer: Model, states: Sequence[State]) -> tuple[Estimate, Estimate]:
     """Estimate the discretisation errors of solved `states`, lateral and axial.
 
     old: their results. richer: the model on a finer mesh of a higher degree.
@@ -163,7 +166,8 @@ def estimate(
     model = old.model
     factors = np.array([s.factors for s in states])
     bent = [_as_in(s, model, richer.lateral.system) for s in states]
-    stretched = [richer.axial.system] * len(states)
+    rough = richer.axial.system
+    stretched = [rubbed(model, s.lateral, rough) if rubs(rough) else rough for s in states]
     lateral, lost = _corrected(model.lateral, richer.lateral, bent, old.lateral, factors, limits)
     axial, adrift = _corrected(model.axial, richer.axial, stretched, old.axial, factors, limits)
     new = Results(richer, lateral, axial)
@@ -173,17 +177,22 @@ def estimate(
     wet = np.unique(np.concatenate([every, richer.edges[:-1] + _BELOW]))
     wet = wet[wet >= 0.0]
     outer = _outer_moments(model.lateral, states, factors)
+
+    def of_all(value: Callable[[Results, Array, int], Array]) -> tuple[Array, Array]:
+        """A quantity of all tubes on the finer mesh and as it was."""
+        return new.of_all(partial(value, new), every), old.of_all(partial(value, old), every)
+
     return (
         _estimate(
-            _Pair(new.deflection(every), old.deflection(every)),
+            _Pair(*of_all(lambda r, x, tube: r.deflection(x, 0, tube))),
             _Pair(new.lateral_reaction(wet), old.lateral_reaction(wet)),
-            _Pair(new.shear_and_moment(every)[1], old.shear_and_moment(every)[1], outer),
+            _Pair(*of_all(lambda r, x, tube: r.shear_and_moment(x, tube)[1]), outer),
             lost,
         ),
         _estimate(
-            _Pair(new.settlement(every), old.settlement(every)),
+            _Pair(*of_all(lambda r, x, tube: r.settlement(x, 0, tube))),
             _Pair(new.axial_reaction(wet), old.axial_reaction(wet)),
-            _Pair(new.compression(every), old.compression(every)),
+            _Pair(*of_all(Results.compression)),
             adrift,
         ),
     )

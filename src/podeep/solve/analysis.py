@@ -95,8 +95,8 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
         enough = best.accurate or interrupted or scene.numerics.elements is not None
         if enough or stale == _PATIENCE or 2 * model.elements > _MOST_ELEMENTS:
             break
-        poor = found[0].worst > accuracy, found[1].worst > accuracy
-        boundaries = finer(parts, poor)
+        lateral, axial = (np.flatnonzero(e.worst > accuracy) for e in found)
+        boundaries = finer(parts, (lateral, axial))
         if len(boundaries) == len(model.edges):
             break
         model = rebuilt(scene, model, boundaries, 0)
@@ -111,7 +111,7 @@ def estimated(
     old = results_of(model, states)
     parts = unresolved(old)
     try:
-        every = np.ones(len(states), dtype=bool)
+        every = np.arange(len(states))
         richer = rebuilt(scene, model, finer(parts, (every, every)), 1)
         found = estimate(old, richer, states)
     except KeyboardInterrupt:

@@ -8,9 +8,10 @@ import numpy as np
 
 from ..arrays import Array
 from ..model.assemble import Model
-from ..model.results import compression
+from ..model.coupling import pressed, rubs
 from .advance import Advance, Track
 from .newton import Ending, Limits
+from .rubbing import advance_rubbing
 from .yielding import advance_yielding
 
 _PARTS = 16  # halvings that find how much of a step a spudcan can carry
@@ -80,15 +81,19 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
             for track in tracks:
                 track.increment = None
         start = replace(axial), replace(lateral)
-        made = [advance_stretch(axial, before, after)]
-        if made[0].outcome.ending is Ending.CONVERGED:
-            made.append(advance_deflection(model, lateral, axial, before, after))
+        which: Literal["lateral", "axial"] = "axial"
+        if rubs(model.axial.system):
+            made, which = advance_rubbing(model, lateral, axial, before, after)
+        else:
+            made = [advance_stretch(axial, before, after)]
+            if made[0].outcome.ending is Ending.CONVERGED:
+                made.append(advance_deflection(model, lateral, axial, before, after))
+                which = "lateral"
         last = made[-1]
         if last.outcome.ending is not Ending.CONVERGED:
             reached = last.reached
             if last.outcome.ending is Ending.YIELDED:
                 reached, axial, lateral = largest_part(model, *start, before, after)
-            which: Literal["lateral", "axial"] = "lateral" if len(made) == 2 else "axial"
             at = before + reached * (after - before)
             kept = lateral.problem.system.softening
             ending = last.outcome.ending
@@ -120,8 +125,9 @@ def advance_deflection(
 
     The normal force bends it further, and the vertical load on a spudcan softens that.
     """
-    if len(model.lateral.system.compression_points):
-        compress(model, lateral, axial.q)
+    if model.needs.second_order:
+        system = pressed(model, axial.q, lateral.q, lateral.problem.system)
+        lateral.problem = replace(lateral.problem, system=system)
     if model.footing is None:
         return lateral.advance(before, after)
     load = model.footing.vertical(axial.problem.system, axial.q)
@@ -148,13 +154,6 @@ def largest_part(
         else:
             broken = part
     return held, *best
-
-
-def compress(model: Model, lateral: Track, axial: Array) -> None:
-    """Put the normal force of a state of the stretch on the deflection."""
-    system = lateral.problem.system
-    force = compression(model, axial, system.compression_points)
-    lateral.problem = replace(lateral.problem, system=system.compressed(force))
 
 
 def same_increment(factors: Array) -> list[bool]:

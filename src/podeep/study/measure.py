@@ -66,12 +66,16 @@ class Probe:
                 [
                     across(results.deflection(self.every)),
                     across(results.lateral_reaction(self.wet)),
-                    across(results.shear_and_moment(self.every)[1]),
+                    across(
+                        results.of_all(
+                            lambda x, tube: results.shear_and_moment(x, tube)[1], self.every
+                        )
+                    ),
                 ],
                 [
                     largest(results.settlement(self.every)),
                     largest(results.axial_reaction(self.wet)),
-                    largest(results.compression(self.every)),
+                    largest(results.of_all(results.compression, self.every)),
                 ],
             ]
         )
