@@ -109,9 +109,10 @@ def cf08() -> StaticCase:
 
     def compare(database: Database) -> Deviations:
         u = -database.foundation("F1").read_tube(1, "displacement_z")[1:]
+        head, base = column(given, "u_head_m"), column(given, "u_base_m")
         return [
-            Deviation("head", apart(u[:, 0], column(given, "u_head_m")), 1e-6),
-            Deviation("base", apart(u[:, -1], column(given, "u_base_m")), 1e-6),
+            Deviation("head", apart(u[:, 0], head), 2e-6),
+            Deviation("base", float(np.abs((u[:, -1] - base) / head).max()), 2e-6),
         ]
 
     return StaticCase(text, compare)
@@ -123,14 +124,17 @@ def rigid_pile(ground: str, arm: float, load: float, steps: str = "1") -> str:
     return on_curves(ground, casing, [f"*LOAD\nP 1 0 {load!r} 0 0 0 {load * arm!r} 0"], steps)
 
 
-def cf09(given: list[dict[str, str]], text: str) -> StaticCase:
-    """A rigid pile against displacement and rotation of its head."""
+def cf09(given: list[dict[str, str]], text: str, asked: float) -> StaticCase:
+    """A rigid pile against displacement and rotation of its head.
+
+    asked: more than what the little that it bends makes of them, 1e-5.
+    """
 
     def compare(database: Database) -> Deviations:
         y, slope, _ = heads(database)
         return [
-            Deviation("y", apart(y, column(given, "y0_m")), 1e-6),
-            Deviation("slope", apart(slope, column(given, "theta")), 1e-6),
+            Deviation("y", apart(y, column(given, "y0_m")), asked),
+            Deviation("slope", apart(slope, column(given, "theta")), asked),
         ]
 
     return StaticCase(text, compare)
@@ -145,14 +149,15 @@ def cf09_elastic(soil: str, arm: float) -> StaticCase:
     }[soil]
     every = [r for r in rows("CF09_elastic.csv") if float(r["e_m"]) == arm]
     given = [r for r in every if soil.split()[0] in r["soil"]]
-    return cf09(given, rigid_pile(ground, arm, 100e3))
+    return cf09(given, rigid_pile(ground, arm, 100e3), 2e-5)
 
 
 def cf09_elastic_plastic(arm: float) -> StaticCase:
     """A rigid pile in soil that yields at 200 kN/m, up to 0.99 of its capacity."""
     given = [r for r in rows("CF09_elastic_plastic.csv") if float(r["e_m"]) == arm]
     ground = uniform([(200e3, 0.02)], 5.0)
-    return cf09(given, rigid_pile(ground, arm, 1.0, in_steps("P", column(given, "H_N"))))
+    text = rigid_pile(ground, arm, 1.0, in_steps("P", column(given, "H_N")))
+    return cf09(given, text, 1e-4)
 
 
 def pushing(modulus: float, depth: float) -> str:

@@ -56,25 +56,20 @@ def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
     """
     given = np.moveaxis(q.reshape(len(q), -1, components), 2, 1)
     rows = np.zeros((len(q), components, fine.size))
-    strings = fine.strings
-    joint, tube = np.unique(strings.joints, return_index=True)
-    tube = np.repeat(strings.leader, 2)[tube]
-    nodes = np.concatenate([fine.dofs[:, :1], fine.dofs[:, -fine.nodal, None]], axis=1)
-    first = np.zeros(len(joint), dtype=np.intp)
-    first[strings.joints] = nodes
-    depth = fine.edges[strings.edge]
-    rows[..., first] = product(given, coarse.interpolation(depth, tube=tube))
-    if fine.nodal == 2:
-        rows[..., first + 1] = fine.slope_length * product(given, coarse.rotation(depth, tube))
+    tube = fine.strings.leader
+    for x, node in ((fine.tops, 0), (fine.tops + fine.lengths, -fine.nodal)):
+        rows[..., fine.dofs[:, node]] = product(given, coarse.interpolation(x, 0, tube))
+        if fine.nodal == 2:
+            turned = product(given, coarse.rotation(x, tube))
+            rows[..., fine.dofs[:, node + 1]] = fine.slope_length * turned
     inner = slice(fine.nodal, fine.local - fine.nodal)
     if fine.local > 2 * fine.nodal:
         elements, count = fine.dofs.shape
         share = (np.arange(count) + 0.5) / count
-        x = (fine.tops[:, None] + fine.lengths[:, None] * share).ravel()
-        of = np.repeat(strings.leader, count)
-        every = fine.interpolation(x, tube=of)
-        left = product(given, coarse.interpolation(x, tube=of)) - product(rows, every)
-        functions = every.data.reshape(elements, count, count)[..., inner]
+        x, of = (fine.tops[:, None] + fine.lengths[:, None] * share).ravel(), np.repeat(tube, count)
+        matrix = fine.interpolation(x, 0, of)
+        left = product(given, coarse.interpolation(x, 0, of)) - product(rows, matrix)
+        functions = matrix.data.reshape(elements, count, count)[..., inner]
         fit = np.linalg.pinv(functions)
         rest = left.reshape(len(q), components, elements, count)
         rows[..., fine.dofs[:, inner]] = np.einsum("eig,sceg->scei", fit, rest)
@@ -89,7 +84,7 @@ def _corrected(
     factors: Array,
     limits: Limits,
 ) -> tuple[Array, Array]:
-    """Equilibria of the fine problem near the states, by its `systems`, and where there are none."""
+    """Equilibria of the fine problem near the states, by its `systems`; where there are none."""
     start = prolong(states, coarse.system.field, fine.system.field, fine.system.components)
     found = [
         newton(system, q, fine.load(factor), limits)
@@ -102,9 +97,7 @@ def _corrected(
 def _as_in(state: State, model: Model, system: System) -> System:
     """A lateral system as a state had it: its softening and its normal force."""
     softened = system.softened(state.softening)
-    if not system.second_order:
-        return softened
-    return pressed(model, state.axial, state.lateral, softened)
+    return pressed(model, state.axial, state.lateral, softened) if system.second_order else softened
 
 
 def _largest(values: Array) -> Array:
@@ -185,22 +178,21 @@ def estimate(old: Results, richer: Model, states: Sequence[State]) -> tuple[Esti
     wet = wet[wet >= 0.0]
     outer = _outer_moments(model.lateral, states, factors)
 
-    def both(value: Callable[[Results, Array, int], Array]) -> tuple[Array, Array]:
-        """Values of all tubes on the finer mesh and as they were."""
-        new_, old_ = (r.of_all(partial(value, r), every) for r in (new, old))
-        return new_, old_
+    def of_all(value: Callable[[Results, Array, int], Array]) -> tuple[Array, Array]:
+        """A quantity of all tubes on the finer mesh and as it was."""
+        return new.of_all(partial(value, new), every), old.of_all(partial(value, old), every)
 
     return (
         _estimate(
-            _Pair(*both(lambda r, x, tube: r.deflection(x, 0, tube))),
+            _Pair(*of_all(lambda r, x, tube: r.deflection(x, 0, tube))),
             _Pair(new.lateral_reaction(wet), old.lateral_reaction(wet)),
-            _Pair(*both(lambda r, x, tube: r.shear_and_moment(x, tube)[1]), outer),
+            _Pair(*of_all(lambda r, x, tube: r.shear_and_moment(x, tube)[1]), outer),
             lost,
         ),
         _estimate(
-            _Pair(*both(lambda r, x, tube: r.settlement(x, 0, tube))),
+            _Pair(*of_all(lambda r, x, tube: r.settlement(x, 0, tube))),
             _Pair(new.axial_reaction(wet), old.axial_reaction(wet)),
-            _Pair(*both(lambda r, x, tube: r.compression(x, tube))),
+            _Pair(*of_all(Results.compression)),
             adrift,
         ),
     )

@@ -1,9 +1,9 @@
 """Where a mesh does not follow the soil's force, and where to cut its elements.
 
-The soil, or another tube, acts at the Gauss points of an element. Where its force bends sharply in between, at the
-corner of a curve that the displacement passes at some depth, it is not resolved: an element with an
-end at that depth has no such place. Corners move a little when the mesh does, and are met better
-the next time.
+The soil, or another tube, acts at the Gauss points of an element. Where its force bends sharply in
+between, at the corner of a curve that the displacement passes at some depth, it is not resolved: an
+element with an end at that depth has no such place. Corners move a little when the mesh does, and
+are met better the next time.
 """
 
 from collections.abc import Callable, Sequence
@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.integrate import trapezoid
 
-from ..arrays import Array, Index
+from ..arrays import Array, Flags, Index
 from ..beam.shapes import gauss_interpolation, gauss_points
 from ..model.assemble import Problem
 from ..model.contact import Gap
@@ -66,7 +66,7 @@ class Unresolved:
         least = _SHORTEST * (field.edges[-1] - field.edges[0])
         power = 1.0 / (2 * field.continuity + 1)
         short = (noise / bearable) ** power if bearable > 0.0 else np.zeros(len(noise))
-        return np.maximum(short, least)
+        return np.asarray(np.maximum(short, least))
 
 
 def unresolved(results: Results) -> tuple[Unresolved, ...]:
@@ -144,7 +144,7 @@ def _resistance(problem: Problem, states: Array, points: Points) -> Array:
     return np.asarray(secant(force, distance, modulus)[:, None] * u)
 
 
-def finer(parts: Sequence[Unresolved], poor: Sequence[Array]) -> Array:
+def finer(parts: Sequence[Unresolved], poor: Sequence[Flags]) -> Array:
     """Boundaries with those elements cut that resolve least in the steps that `poor` names.
 
     poor: shape (steps,) for each part. The fewest elements that leave the bulk of the unresolved
@@ -162,7 +162,7 @@ def finer(parts: Sequence[Unresolved], poor: Sequence[Array]) -> Array:
     return np.union1d(edges, made)
 
 
-def _bulk(share: Array) -> Array:
+def _bulk(share: Array) -> Flags:
     """Elements that leave the bulk of the unresolved force in any step, (elements,).
 
     share: shape (steps, elements).
@@ -176,7 +176,7 @@ def _bulk(share: Array) -> Array:
     return large
 
 
-def _cuts(one: Unresolved, poor: Array, shortest: Array) -> Array:
+def _cuts(one: Unresolved, poor: Flags, shortest: Array) -> Array:
     """Depths at which to cut elements: the corner of an element's worst step, or its middle."""
     edges, among = one.problem.system.field.edges, one.intervals
     large = _bulk(one.share[poor])
