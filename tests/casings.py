@@ -12,10 +12,7 @@ from podeep.scene import (
     Numerics,
     Scene,
     Section,
-    Sliding,
     Steps,
-    Support,
-    Tie,
     Tube,
 )
 from podeep.solve.analysis import Solved, solve
@@ -84,31 +81,23 @@ def elements(scene, count, degree=5):
 
 
 def jumps(solved: Solved, tube_: int) -> float:
-    """Largest jump of a tube's shear, moment and normal force from element to element where
-    nothing but neighbouring elements meets, over the largest of each in the last step."""
+    """Largest jump of a tube's shear, moment and normal force from element to element, where
+    nothing but neighbouring elements meets, over the largest of each in any tube."""
     results, model = solved.results, solved.model
-    edges = results.along(tube_, model.edges)
-    ends = {round(p.bottom, 9) for p in model.pieces} | {round(model.pieces[0].top, 9)}
-    inner = np.array([x for x in edges[1:-1] if round(float(x), 9) not in ends])
-    if not inner.size:
-        return 0.0
-    close = 1e-9
-    worst = 0.0
-    for above, below in zip(
-        _forces(solved, inner, tube_), _forces(solved, inner + close, tube_), strict=True
-    ):
-        size = max(np.abs(f).max() for f in (above, below, 1e-30))
-        worst = max(worst, float(np.abs(above - below).max() / size))
-    return worst
+    ends = np.array([model.pieces[0].top, *(p.bottom for p in model.pieces)])
+    inner = np.array([x for x in model.edges if np.abs(ends - x).min() > 1e-6])
+    tubes = range(len(model.foundation.tubes))
+    size = [
+        max(np.abs(values[i]).max() for values in found)
+        for found in [[_forces(solved, results.along(t, inner), t) for t in tubes]]
+        for i in range(3)
+    ]
+    own = results.along(tube_, inner)
+    above, below = _forces(solved, own, tube_), _forces(solved, own + 1e-9, tube_)
+    steps = [np.abs(a - b).max() for a, b in zip(above, below, strict=True)]
+    return max(step / max(most, 1e-30) for step, most in zip(steps, size, strict=True))
 
 
 def _forces(solved, x, tube_):
     shear, moment = solved.results.shear_and_moment(x, tube_)
     return shear[-1], moment[-1], solved.results.compression(x, tube_)[-1]
-
-
-__all__ = [
-    "Sliding",
-    "Support",
-    "Tie",
-]

