@@ -8,7 +8,7 @@ import numpy as np
 from ..arrays import Array
 from ..errors import Fault, UserError
 from ..model.assemble import Model, assemble, cut
-from ..model.effects import check_shear
+from ..model.effects import PDELTA, check_shear, on_normal_force
 from ..model.mesh import edges
 from ..model.needs import needs
 from ..model.results import Results
@@ -81,11 +81,14 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
     of displacement, reaction and moment is within the accuracy; a number of elements given by the
     scene is taken as it is.
     """
-    model = first_model(scene, foundation)
-    factors = np.array(scene.steps.factors).reshape(len(scene.steps.factors), -1)
+    model, begun = suited_model(scene, foundation)
+    factors = factors_of(scene)
     accuracy = scene.numerics.accuracy
     best: Solved | None = None
     stale = 0
+    if begun:
+        nothing = (unestimated(len(begun)),) * 2
+        return Solved(model, tuple(begun), nothing, None, accuracy, interrupted=True)
     for _ in range(_ROUNDS):
         states, failure, interrupted = run(model, factors, limits(scene))
         parts, found, stopped = estimated(scene, model, states)
@@ -127,6 +130,33 @@ def better(one: Solved, other: Solved) -> bool:
     if len(one.states) != len(other.states):
         return len(one.states) > len(other.states)
     return one.error < other.error
+
+
+def factors_of(scene: Scene) -> Array:
+    """Load factors, shape (steps, names)."""
+    return np.array(scene.steps.factors).reshape(len(scene.steps.factors), -1)
+
+
+def suited_model(scene: Scene, foundation: Foundation) -> tuple[Model, list[State]]:
+    """The first model with all that the scene needs.
+
+    Whether the normal force bends the tubes further is told by a solution without it. The states
+    are those of this solution if the user ended it, otherwise none. Raises UserError where a curve
+    cannot be evaluated.
+    """
+    model = first_model(scene, foundation)
+    open_ = scene.numerics.second_order is None and model.needs.axial
+    if not open_ or not (model.lateral.forces.any() or model.lateral.imposed.any()):
+        return model, []
+    states, failure, interrupted = run(model, factors_of(scene), limits(scene))
+    if interrupted:
+        return model, states
+    found = results_of(model, states)
+    decision = on_normal_force(found, scene.numerics.accuracy, complete=failure is None)
+    if decision is None:
+        return model, []
+    needs = replace(model.needs.told(decision), second_order=decision.choice == PDELTA)
+    return rebuilt(scene, replace(model, needs=needs), model.edges, 0), []
 
 
 def first_model(scene: Scene, foundation: Foundation) -> Model:
