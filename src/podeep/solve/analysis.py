@@ -113,7 +113,7 @@ def estimated(
     try:
         every = np.arange(len(states))
         richer = rebuilt(scene, model, finer(parts, (every, every)), 1)
-        found = estimate(old, richer, states)
+        found = estimate(old, richer, states, parts)
     except KeyboardInterrupt:
         return parts, (unestimated(len(states)),) * 2, True
     return parts, found, False

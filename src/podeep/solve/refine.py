@@ -49,6 +49,11 @@ class Unresolved:
     outermost: Callable[[Array], Index]
 
     @property
+    def total(self) -> Array:
+        """Share of all elements together, (steps,)."""
+        return np.asarray(self.share.sum(axis=1))
+
+    @property
     def shortest(self) -> Array:
         """Length below which elements are mere rounding, of each interval, m.
 
