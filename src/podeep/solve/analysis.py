@@ -16,7 +16,7 @@ from ..scene import Foundation, Scene
 from ..soil.profile import profile_of
 from .accuracy import Estimate, estimate, unestimated
 from .newton import Limits
-from .refine import Unresolved, finer, unresolved
+from .refine import Parts, finer, unresolved
 from .statics import Failure, NoEquilibrium, State, steps
 
 DEGREE = 5  # of the deflection in an element, unless the scene says otherwise
@@ -106,7 +106,7 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
 
 def estimated(
     scene: Scene, model: Model, states: Sequence[State]
-) -> tuple[tuple[Unresolved, Unresolved], tuple[Estimate, Estimate], bool]:
+) -> tuple[Parts, tuple[Estimate, Estimate], bool]:
     """What the elements do not resolve, estimated errors, and whether the user ended it."""
     old = results_of(model, states)
     parts = unresolved(old)

@@ -10,13 +10,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from scipy import sparse
 from scipy.integrate import trapezoid
 
 from ..arrays import Array, Index
 from ..beam.shapes import gauss_interpolation
 from ..model.assemble import Problem
-from ..model.results import Results
-from ..soil.reaction import Reaction
+from ..model.results import Results, product
 
 REST = 1e-6  # share of the run's largest value below which a step is at rest
 _BULK = 0.8  # share of all unresolved force whose elements are cut (Doerfler 1996)
@@ -30,23 +30,24 @@ _CORNER = (2.0 / _LOOKS) ** (1.5 * (_ZOOMS - 1))  # corners bend by more than th
 _MARGIN = 0.02  # share of an element that a cut leaves at least
 
 Force = Callable[[Array], Array]
+#: From a matrix of motions at depths to these motions: signed in a plane, else their sizes.
+Seen = Callable[[sparse.csr_array], Array]
 
 
 @dataclass(frozen=True)
 class Unresolved:
-    """Soil force that the elements below the mudline do not resolve in each step.
+    """One kind of soil force (or couple) that the elements below the mudline do not resolve.
 
-    share: of all soil force, shape (steps, intervals below the mudline). force: all soil force,
-    (steps,), N. states: unknowns of each step, (steps, unknowns). react: from depths to the soil's
-    reaction there; outermost: from depths to the tube on which it acts.
+    share: of all of it, shape (steps, intervals below the mudline). force: all of it, (steps,), N.
+    states: unknowns of each step, (steps, unknowns). react: from depths and what is seen there of
+    a state to the force per length.
     """
 
     share: Array
     force: Array
     problem: Problem
     states: Array
-    react: Callable[[Array], Reaction]
-    outermost: Callable[[Array], Index]
+    react: Callable[[Array, Seen], Array]
 
     @property
     def total(self) -> Array:
@@ -70,27 +71,58 @@ class Unresolved:
         return least
 
 
-def unresolved(results: Results) -> tuple[Unresolved, Unresolved]:
-    """Of the deflection and of the stretch: what lies between the soil's force and its polynomial
-    through the Gauss points."""
+@dataclass(frozen=True)
+class Parts:
+    """What is not resolved: soil forces of the deflection, couples after them, and the stretch."""
+
+    lateral: tuple[Unresolved, ...]
+    axial: tuple[Unresolved, ...]
+
+
+def unresolved(results: Results) -> Parts:
+    """What lies between the soil's force and its polynomial through the Gauss points."""
     model, profile = results.model, results.model.profile
     lateral, axial, edges = model.lateral, model.axial, model.edges
-    return (
-        Unresolved(
-            *_shares(lateral.system.points[0].x, edges, results.lateral_reaction),
-            lateral,
-            results.lateral,
-            lambda x: profile.lateral(x, results.diameter(x)),
-            results.outermost,
-        ),
-        Unresolved(
-            *_shares(axial.system.points[0].x, edges, results.axial_reaction),
-            axial,
-            results.axial,
-            lambda x: profile.shaft(x, results.diameter(x)),
-            results.outermost,
-        ),
-    )
+    gauss, shaft = lateral.system.points[0].x, axial.system.points[0].x
+
+    def pushed(x: Array, seen: Seen) -> Array:
+        moved = seen(lateral.system.field.interpolation(x, 0, results.outermost(x)))
+        return profile.lateral(x, results.diameter(x)).evaluate(moved)[0]
+
+    def turned(x: Array, seen: Seen) -> Array:
+        rotation = seen(lateral.system.field.rotation(x, results.outermost(x)))
+        couple = profile.moment(x, results.diameter(x))
+        own = couple.part(lambda law: not law.follows_lateral).evaluate(rotation)[0]
+        following = couple.part(lambda law: law.follows_lateral)
+        if not following.laws:
+            return own
+        return np.asarray(own + following.evaluate(rotation)[0] * np.abs(pushed(x, seen)))
+
+    def rubbed(x: Array, seen: Seen) -> Array:
+        moved = seen(axial.system.field.interpolation(x, 0, results.outermost(x)))
+        return profile.shaft(x, results.diameter(x)).evaluate(moved)[0]
+
+    def every(matrix: sparse.csr_array) -> Array:
+        return _size(product(_by_component(results.lateral, lateral), matrix))
+
+    bent, stretched = (lateral, results.lateral), (axial, results.axial)
+    forces = [Unresolved(*_shares(gauss, edges, results.lateral_reaction), *bent, pushed)]
+    if any(points.motion == "rotation" and points.spread for points in lateral.system.points):
+        couples = _shares(gauss, edges, lambda x: turned(x, every))
+        forces.append(Unresolved(*couples, *bent, turned))
+    friction = _shares(shaft, edges, results.axial_reaction)
+    return Parts(tuple(forces), (Unresolved(*friction, *stretched, rubbed),))
+
+
+def _by_component(states: Array, problem: Problem) -> Array:
+    """Unknowns as (steps, components, unknowns of a component)."""
+    unknowns = states.reshape(len(states), -1, problem.system.components)
+    return np.moveaxis(unknowns, 2, 1)
+
+
+def _size(motions: Array) -> Array:
+    """Motions (steps, components, n) in a plane as they are, else their sizes, (steps, n)."""
+    return motions[:, 0] if motions.shape[1] == 1 else np.linalg.norm(motions, axis=1)
 
 
 def _below(edges: Array) -> Index:
@@ -121,19 +153,23 @@ def _shares(gauss: Array, edges: Array, force: Force) -> tuple[Array, Array]:
     return share, every
 
 
-def finer(parts: tuple[Unresolved, Unresolved], poor: tuple[Index, Index]) -> Array:
+def finer(parts: Parts, poor: tuple[Index, Index]) -> Array:
     """Boundaries with those elements cut that resolve least in the steps that `poor` names.
 
     poor: numbers of steps for deflection and stretch. The fewest elements that leave the bulk of
-    the unresolved force of a step are cut: at a corner of the force in their worst step, or in the
+    an unresolved force of a step are cut: at a corner of the force in their worst step, or in the
     middle where there is none. One that is too short for the arithmetic stays as it is.
     """
-    edges = parts[0].problem.system.field.edges
-    shortest = np.maximum(*(one.shortest for one in parts))
-    deflection, stretch = (_cuts(o, s, shortest) for o, s in zip(parts, poor, strict=True))
-    near = np.abs(stretch[:, None] - deflection).min(axis=1, initial=np.inf)
-    interval = np.searchsorted(edges[1:-1], stretch)
-    return np.union1d(edges, np.union1d(deflection, stretch[near > shortest[interval]]))
+    edges = parts.lateral[0].problem.system.field.edges
+    shortest = np.maximum(parts.lateral[0].shortest, parts.axial[0].shortest)
+    found = edges
+    for kind, steps in zip((parts.lateral, parts.axial), poor, strict=True):
+        for one in kind:
+            cuts = _cuts(one, steps, shortest)
+            apart = np.abs(cuts[:, None] - np.setdiff1d(found, edges)).min(axis=1, initial=np.inf)
+            interval = np.searchsorted(edges[1:-1], cuts)
+            found = np.union1d(found, cuts[apart > shortest[interval]])
+    return found
 
 
 def _bulk(share: Array) -> Index:
@@ -174,14 +210,17 @@ def _cuts(one: Unresolved, poor: Index, shortest: Array) -> Array:
 
 
 def _force(one: Unresolved, x: Array, interval: Index, step: Index) -> Array:
-    """Size of the soil's force at depths x of each interval in its own step, shape of x, N/m."""
-    field, components = one.problem.system.field, one.problem.system.components
-    inside = field.edges[interval, None] + np.diff(field.edges)[interval, None] * _NEAR_END
+    """The soil's force at depths x of each interval in its own step, shape of x, N/m."""
+    edges = one.problem.system.field.edges
+    inside = edges[interval, None] + np.diff(edges)[interval, None] * _NEAR_END
     depth = np.maximum(np.maximum(x, inside), 0.0).ravel()
-    functions = field.interpolation(depth, 0, one.outermost(depth))
-    unknowns = one.states.reshape(len(one.states), -1, components)
-    rows = np.repeat(step, x.shape[1])[:, None]
-    dofs = functions.indices.reshape(len(depth), -1)
-    u = np.einsum("rl,rlc->rc", functions.data.reshape(dofs.shape), unknowns[rows, dofs])
-    size = u[:, 0] if components == 1 else np.hypot(u[:, 0], u[:, 1])
-    return one.react(depth).evaluate(size)[0].reshape(x.shape)
+    unknowns = _by_component(one.states, one.problem)
+    rows = np.repeat(step, x.shape[1])[:, None, None]
+    components = np.arange(unknowns.shape[1])[None, :, None]
+
+    def seen(matrix: sparse.csr_array) -> Array:
+        dofs = matrix.indices.reshape(len(depth), 1, -1)
+        shares = matrix.data.reshape(dofs.shape)
+        return _size((unknowns[rows, components, dofs] * shares).sum(axis=2).T[None])[0]
+
+    return np.asarray(one.react(depth, seen).reshape(x.shape))
