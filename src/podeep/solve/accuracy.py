@@ -22,7 +22,7 @@ from .newton import NO_SCALE, Ending, Limits, Outcome, Scale, largest, newton
 from .refine import REST, Parts
 from .statics import State
 
-_RESIDUAL = 1e-9  # how near the finer mesh comes to equilibrium: errors of iteration are seen too
+_RESIDUAL = 1e-8  # how near the finer mesh comes to equilibrium: errors of iteration are seen too
 _BELOW = 1e-6  # of a depth: where the soil below a boundary is met, m
 _PLACES = 12  # depths in each element at which both meshes are compared
 

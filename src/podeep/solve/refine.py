@@ -22,6 +22,7 @@ REST = 1e-6  # share of the run's largest value below which a step is at rest
 _BULK = 0.8  # share of all unresolved force whose elements are cut (Doerfler 1996)
 _SHORTEST = 5e-5  # element over tube
 _ROUNDING = 1e-4  # of all soil force: what rounding of displacements may make of it in an element
+_SOFTEST = 3e4  # EI / GAs over the square of half an element, of which powers can be taken
 _CHECKS = 16  # intervals of an element between the depths where its force is checked
 _NEAR_END = 1e-9  # of half an element: a check stays in the element's own soil layer
 _ZOOMS = 4  # times that a corner is looked for in an eighth of the interval
@@ -59,6 +60,7 @@ class Unresolved:
         """Length below which elements are mere rounding, of each interval, m.
 
         Rounding of a displacement u makes a force of eps u EI / h^3 (eps u EA / h of a stretch).
+        Elements soft in shear are sums of powers of EI / GAs over (h/2)^2.
         """
         field, nodes = self.problem.system.field, self.problem.system.field.dofs[:, 0]
         unknowns = self.states.reshape(len(self.states), field.size, -1)[:, nodes]
@@ -68,6 +70,9 @@ class Unresolved:
         if bearable > 0.0:
             power = 1.0 / (2 * field.continuity + 1)
             np.maximum.at(least, field.strings.interval, (noise / bearable) ** power)
+        if field.shear_stiffness is not None:
+            soft = 2.0 * np.sqrt(field.stiffness / field.shear_stiffness / _SOFTEST)
+            np.maximum.at(least, field.strings.interval, soft)
         return least
 
 
