@@ -136,7 +136,7 @@ def without_accuracy(case: StaticCase) -> StaticCase:
 def every() -> dict[str, StaticCase | Path]:
     """All cases by name; a sample is the path of its deck."""
     found: dict[str, StaticCase] = {n: closed_form(n, c) for n, c in CASES.items()}
-    for row in column.table("CF13_head.csv"):
+    for row in column.ROWS:
         for load in column.HEADS:
             found[f"CF13 N {row['N_over_Ncr']:g} {load}"] = beam_column(row, load)
     found |= {f"CF15 {load}": soft_in_shear(load) for load in shear.LOADS}

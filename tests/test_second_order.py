@@ -35,6 +35,7 @@ def column(force: float, load: str, held: str = "", *, asked: str = "PDELTA") ->
     )
 
 
+ROWS = table("CF13_head.csv")
 HEADS = {
     "force": ("100e3 0 0", "", ("y0_H_m", "theta0_H")),
     "moment": ("0 0 0 0 200e3 0", "", ("y0_M_m", "theta0_M")),
@@ -42,7 +43,7 @@ HEADS = {
 }
 
 
-@pytest.mark.parametrize("row", table("CF13_head.csv"), ids=lambda r: f"N {r['N_over_Ncr']:g}")
+@pytest.mark.parametrize("row", ROWS, ids=lambda r: f"N {r['N_over_Ncr']:g}")
 @pytest.mark.parametrize(("load", "held", "names"), HEADS.values(), ids=HEADS)
 def test_heads_of_cf13(tmp_path, row, load, held, names):
     with solved(tmp_path, column(row["N_N"], load, held)) as database:

@@ -226,6 +226,7 @@ def _force(one: Unresolved, x: Array, interval: Index, step: Index) -> Array:
     def seen(matrix: sparse.csr_array) -> Array:
         dofs = matrix.indices.reshape(len(depth), 1, -1)
         shares = matrix.data.reshape(dofs.shape)
-        return _size((unknowns[rows, components, dofs] * shares).sum(axis=2).T[None])[0]
+        moved = (unknowns[rows, components, dofs] * shares).sum(axis=2)
+        return np.asarray(_size(moved.T[None])[0])
 
     return np.asarray(one.react(depth, seen).reshape(x.shape))
