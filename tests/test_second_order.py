@@ -143,6 +143,10 @@ def test_the_report_tells_what_is_missed(tmp_path, capsys):
     path.write_text(text.replace("1e-7", "1e-3"))
     assert main(["run", str(path), "-o", str(tmp_path)]) == 0
     told = " ".join(capsys.readouterr().out.split())
+    assert "P-delta: the normal force adds some" in told
+    path.write_text(text.replace("*ACCURACY", "*MODEL, SMALL\n*ACCURACY").replace("1e-7", "1e-3"))
+    assert main(["run", str(path), "-o", str(tmp_path), "--force"]) == 0
+    told = " ".join(capsys.readouterr().out.split())
     assert "no P-delta: the normal force would add some" in told
 
 

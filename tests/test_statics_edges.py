@@ -58,7 +58,7 @@ def test_an_imposed_displacement_returns_to_zero() -> None:
 @pytest.mark.parametrize("gap", [1e-6, 1e-4, 1e-3, 2e-3, 5e-3])
 def test_loads_and_layers_close_to_each_other_are_solved(gap: float) -> None:
     """A sliver must neither fail nor move the answer by more than its own size does."""
-    scene = reference_pile((1e6, 0.0, -5e6))
+    scene = reference_pile((1e6, 0.0, -5e6), numerics=Numerics(second_order=False))
     more = Load("HEAD", 1, 10.0 - gap, (1e6, 0.0, 0.0), (0.0, 0.0, 0.0))
     ground = replace(scene.ground, depths=(0.0, 15.0, 15.0 + gap, 40.0))
     found = solved(replace(scene, loads=(*scene.loads, more), ground=ground))

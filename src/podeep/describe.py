@@ -26,6 +26,8 @@ def scene_report(scene: Scene, notes: tuple[str, ...]) -> str:
     lines = [scene.title or "(no title)", ""]
     for foundation in scene.foundations:
         lines += foundation_lines(scene, foundation)
+    if scene.ties or scene.slidings:
+        lines += ["", "tubes in tubes", *(f"  {line}" for line in tie_lines(scene))]
     lines += ["", "soil"]
     lines += [f"  {line}" for line in ground_lines(scene.ground)]
     lines += ["", "held and loaded"]
@@ -88,6 +90,23 @@ def foundation_lines(scene: Scene, foundation: Foundation) -> Iterator[str]:
         )
         for section in tube.sections:
             yield f"    {section_line(section)}"
+
+
+def tie_lines(scene: Scene) -> Iterator[str]:
+    """How tubes that stand in each other hold each other."""
+    for tie in scene.ties:
+        how = "at the two ends" if tie.ends else "all along"
+        yield (
+            f"tube {tie.inner} tied to tube {tie.outer} {how}, "
+            f"{short(tie.top)} to {short(tie.bottom)} m"
+        )
+    for one in scene.slidings:
+        room = "what the diameters leave" if one.clearance is None else f"{short(one.clearance)} m"
+        hard = "rigid" if one.stiffness is None else f"{short(one.stiffness)} N/m2"
+        yield (
+            f"tube {one.inner} slides in tube {one.outer} where nothing ties it: room {room}, "
+            f"contact {hard}, friction {short(one.friction)}"
+        )
 
 
 def section_line(section: Section) -> str:

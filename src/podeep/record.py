@@ -1,5 +1,6 @@
 """From solved foundations to a static database: the grid, the quantities, the writing."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,7 +9,7 @@ from .arrays import Array
 from .database.write import Grid
 from .model.grid import output_depths, tube_depths
 from .model.results import Results
-from .scene import Scene
+from .scene import Scene, Section
 from .solve.analysis import Solved
 
 _COMPONENTS = ("x", "y")
@@ -88,6 +89,7 @@ def tube_values(results: Results, x: Array, tube: int) -> dict[str, Array]:
     displacement = results.global_vector(results.deflection(x, 0, tube))
     turned = results.global_vector(results.rotation(x, tube))
     shears, moments = results.global_vector(shear), results.global_vector(moment)
+    force = results.compression(x, tube)
     return {
         "displacement_x": displacement[0],
         "displacement_y": displacement[1],
@@ -98,8 +100,21 @@ def tube_values(results: Results, x: Array, tube: int) -> dict[str, Array]:
         "moment_y": moments[0],
         "shear_x": shears[0],
         "shear_y": shears[1],
-        "normal_force": results.compression(x, tube),
+        "normal_force": force,
+        "stress": stress(results.sections(x, tube), force, np.hypot(*moments)),
     }
+
+
+def stress(sections: Sequence[Section], force: Array, moment: Array) -> Array:
+    """Largest normal stress over each section, Pa: E (N / EA + M D / 2 EI), all magnitudes.
+
+    force, moment: of each section, shape (..., sections). Strains times E, so that it holds for
+    sections whose stiffness was given.
+    """
+    modulus = np.array([s.youngs_modulus for s in sections])
+    stretch = np.array([s.axial_stiffness for s in sections])
+    bend = np.array([2.0 * s.bending_stiffness / s.outer_diameter for s in sections])
+    return np.asarray(modulus * (np.abs(force) / stretch + moment / bend))
 
 
 def progress_values(solved: Solved) -> dict[str, Array]:

@@ -45,12 +45,41 @@ def summary(solved: Solved) -> dict[str, Any]:
         "largest_moment_Nm": moment,
         "largest_moment_depth_m": place,
         "largest_moment_tube": igr,
+        "tubes": len(model.foundation.tubes),
         "estimated_error_displacement": max(displacements),
         "estimated_error_reaction": max(reactions),
         "estimated_error_moment": max(moments),
         "largest_estimated_error": solved.error,
         "spudcan": spudcan(solved),
+        "contacts": contacts(solved),
     }
+
+
+def contacts(solved: Solved) -> list[dict[str, Any]]:
+    """Where tubes press against each other in the last step: their ids, depths, largest force.
+
+    first, last: depths of the topmost and the lowest contact, None where there is none.
+    """
+    model, found = solved.model, []
+    pairs = zip(model.lateral.system.points, solved.results.point_forces, strict=True)
+    pressing: dict[tuple[int, int], list[tuple[Array, Array]]] = {}
+    for points, forces in pairs:
+        if points.against is not None and isinstance(points.tube, int):
+            pair = model.foundation.tubes[points.against], model.foundation.tubes[points.tube]
+            pressing.setdefault(pair, []).append((points.x, largest(forces[-1])))
+    for (outer, inner), parts in pressing.items():
+        x, force = (np.concatenate(each) for each in zip(*parts, strict=True))
+        closed = x[force > 0.0]
+        found.append(
+            {
+                "outer": outer,
+                "inner": inner,
+                "first_m": float(closed.min()) if closed.size else None,
+                "last_m": float(closed.max()) if closed.size else None,
+                "largest_N_per_m": float(force.max()),
+            }
+        )
+    return found
 
 
 def spudcan(solved: Solved) -> dict[str, float | None] | None:
@@ -84,6 +113,7 @@ def run_report(numbers: dict[str, Any]) -> str:
     """The summary of a foundation in words."""
     n = numbers
     under = n["spudcan"]
+    which = f" in tube {n['largest_moment_tube']}" if n["tubes"] > 1 else ""
     carried = []
     if under is not None:
         carried = [
@@ -102,15 +132,27 @@ def run_report(numbers: dict[str, Any]) -> str:
             f"{n['iterations']} iterations",
             f"    last step: head displaced {short(n['head_lateral_displacement_m'])} m, "
             f"settled {short(n['head_axial_displacement_m'])} m",
-            f"    largest moment {short(n['largest_moment_Nm'])} N m at "
+            f"    largest moment {short(n['largest_moment_Nm'])} N m{which} at "
             f"{n['largest_moment_depth_m']:.2f} m below the mudline",
             f"    estimated errors: displacement {n['estimated_error_displacement']:.1e}, "
             f"reaction {n['estimated_error_reaction']:.1e}, "
             f"moment {n['estimated_error_moment']:.1e}",
             f"    largest in any step {n['largest_estimated_error']:.1e}",
-            *(line for text in carried for line in folded(text)),
+            *(line for text in (*carried, *touching(n["contacts"])) for line in folded(text)),
         ]
     )
+
+
+def touching(contacts: Sequence[dict[str, Any]]) -> Iterator[str]:
+    """A line for each two tubes that may touch."""
+    for one in contacts:
+        where = "do not touch"
+        if one["first_m"] is not None:
+            where = (
+                f"touch between {one['first_m']:.2f} and {one['last_m']:.2f} m below the mudline, "
+                f"up to {short(one['largest_N_per_m'])} N/m"
+            )
+        yield f"    tubes {one['outer']} and {one['inner']} {where}"
 
 
 def step_table(solved: Solved) -> str:

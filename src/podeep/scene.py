@@ -223,7 +223,7 @@ class Numerics:
     elements: int | None = None
     degree: int | None = None
     axial_curves: bool = True
-    second_order: bool = False
+    second_order: bool | None = None
     shear: bool = False
     components: Literal[1, 2] | None = None
 

@@ -217,16 +217,13 @@ class Field:
         return [self.mixed(v, element).reshape(count, len(xi), self.local) for v in values]
 
     @cached_property
-    def strain_modes(self) -> tuple[sparse.csr_array, Array]:
-        """Matrix to the Legendre coefficients of strains, and the stiffness of each (N m or N).
-
-        Internal forces through them are in exact balance in every element, however short it is:
-        rounding of the unknowns makes couples, not forces.
-        """
+    def strain_blocks(self) -> list[tuple[Array, Array]]:
+        """For each kind of strain its Legendre coefficients by unknown, (elements, n, local), and
+        the stiffness of each, (elements, n), N m or N."""
         order = self.continuity + 1
         xi, weight = gauss_points(self.degree + 1)
         half = 0.5 * self.lengths
-        matrices, stiffnesses = [], []
+        blocks = []
         for kind, strain in enumerate(self._strains(xi)):
             count = self.local - order - kind
             if count < 1:
@@ -236,7 +233,20 @@ class Field:
             modes = (legendre * weight[:, None]).T @ strain * share[:, None]
             modes[np.abs(modes) < 1e-13] = 0.0
             values = modes * self.scale[:, None, :] / half[:, None, None] ** order
-            rows = np.arange(len(half) * count).reshape(len(half), count)
+            factor = self.stiffness * half * (self.softness if kind else 1.0)
+            blocks.append((values, factor[:, None] / share))
+        return blocks
+
+    @cached_property
+    def strain_modes(self) -> tuple[sparse.csr_array, Array]:
+        """Matrix to the Legendre coefficients of strains, and the stiffness of each (N m or N).
+
+        Internal forces through them are in exact balance in every element, however short it is:
+        rounding of the unknowns makes couples, not forces.
+        """
+        matrices = []
+        for values, _ in self.strain_blocks:
+            rows = np.arange(values.shape[0] * values.shape[1]).reshape(values.shape[:2])
             places = (
                 np.broadcast_to(rows[:, :, None], values.shape).ravel(),
                 np.broadcast_to(self.dofs[:, None, :], values.shape).ravel(),
@@ -244,9 +254,20 @@ class Field:
             matrices.append(
                 sparse.coo_array((values.ravel(), places), shape=(rows.size, self.size))
             )
-            factor = self.stiffness * half * (self.softness if kind else 1.0)
-            stiffnesses.append((factor[:, None] / share).ravel())
-        return sparse.csr_array(sparse.vstack(matrices)), np.concatenate(stiffnesses)
+        stiffness = np.concatenate([amounts.ravel() for _, amounts in self.strain_blocks])
+        return sparse.csr_array(sparse.vstack(matrices)), stiffness
+
+    def top_forces(self, q: Array) -> Array:
+        """Forces at the unknowns of each element's top node, (..., elements, nodal).
+
+        q: shape (..., n). By way of the strains, as the equations have them.
+        """
+        total = np.zeros((*q.shape[:-1], len(self.lengths), self.nodal))
+        for values, stiffness in self.strain_blocks:
+            strain = np.einsum("enj,...ej->...en", values, q[..., self.dofs])
+            top = values[:, :, : self.nodal]
+            total += np.einsum("...en,eni->...ei", strain * stiffness, top)
+        return total
 
     @cached_property
     def element_stiffness(self) -> Array:

@@ -96,7 +96,7 @@ MODEL = Keyword(
                 ),
                 Column(
                     "PDELTA",
-                    "the normal force bends the tube further",
+                    "the normal force bends the tube further, whether it matters or not",
                     key="pdelta",
                     kind="flag",
                     named=True,

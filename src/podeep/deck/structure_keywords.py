@@ -147,7 +147,7 @@ def _seabed(name: str) -> Column:
 
 TYPCONTACT = Keyword(
     "TYPCONTACT",
-    "contact between groups: a tube that slides inside another",
+    "a tube that slides inside another",
     (
         Row(
             "contacts",

@@ -126,7 +126,7 @@ def _tie(values: Values, outer: Tube, inner: Tube, faults: Faults) -> Tie | None
     first, last = values.cells.get("ZTOP", top), values.cells.get("ZBOT", bottom)
     for name, z in (("ZTOP", first), ("ZBOT", last)):
         if not bottom <= z <= top:
-            message = f"{name} is {z:g} m, but both tubes stand from {bottom:g} to {top:g} m alone"
+            message = f"{name} is {z:g} m, but both tubes stand from {top:g} to {bottom:g} m alone"
             faults.add(values.places[name], message, "give an elevation from sea level, on both")
             return None
     if not first > last:

@@ -4,7 +4,7 @@ At small displacements the two do not touch each other, so each is a system of i
 own narrow band and its own convex energy.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -24,7 +24,7 @@ from .contact import reaction as touching
 from .footing import Footing, footing
 from .holds import Collector
 from .mesh import Stretch, stretches
-from .needs import Needs
+from .needs import Decision, Needs
 from .system import Points, System
 from .weave import Parts, Touch, bound, lateral_links, parts, ties, touches, weave
 
@@ -33,7 +33,6 @@ from .weave import Parts, Touch, bound, lateral_links, parts, ties, touches, wea
 Reactions = Literal["integrated", "lumped"]
 # A spring stands just inside its element, in whose layer its curve lies.
 _ENDS = (np.array([-1.0, 1.0]) * (1.0 - 1e-9), np.ones(2))
-_RIGID = 1e9  # stiffness of a rigid contact with clearance or friction, N/m2
 
 
 @dataclass(frozen=True)
@@ -113,12 +112,19 @@ def assemble(
     spudcan = scene.spudcan(foundation)
     under = footing(spudcan, foundation.tubes.index(spudcan.tube)) if spudcan else None
     soil = Soil(profile, owned, np.flatnonzero(middle > 0.0), reactions)
-    meeting = [t for t in found if not bound(t)]
-    contacts = [Contact(t, np.flatnonzero(piece == t.piece)) for t in meeting]
+    meeting = contacts(found, piece)
     place = (scene, foundation, under)
-    lateral = lateral_problem(*place, needs, deflection, soil, contacts)
-    axial = axial_problem(*place, stretch, soil, contacts)
-    return Model(foundation, needs, tuple(pieces), profile, owned, lateral, axial, under, reactions)
+    lateral = lateral_problem(*place, needs, deflection, soil, meeting)
+    axial = axial_problem(*place, stretch, soil, meeting)
+    told = needs.told(*tubes_as_one(foundation, found))
+    return Model(foundation, told, tuple(pieces), profile, owned, lateral, axial, under, reactions)
+
+
+def tubes_as_one(foundation: Foundation, found: Sequence[Touch]) -> Iterator[Decision]:
+    """The tubes in contact that deflect as one."""
+    for outer, inner in dict.fromkeys((t.outer, t.inner) for t in found if bound(t)):
+        names = f"tubes {foundation.tubes[outer]} and {foundation.tubes[inner]}"
+        yield Decision(f"{names} deflect as one", "no room and no friction between them")
 
 
 @dataclass(frozen=True)
@@ -149,21 +155,41 @@ class Soil:
 
 @dataclass(frozen=True)
 class Contact:
-    """Two tubes in contact over some intervals."""
+    """Two tubes in contact over some intervals, and the touch of each interval."""
 
-    touch: Touch
     intervals: Index
+    touches: tuple[Touch, ...]
+
+    @property
+    def friction(self) -> float:
+        return self.touches[0].contact.friction
 
     def points(self, boundaries: Array, count: int, *, along: bool) -> Points:
         """Where they press against each other or, along them, rub."""
         x, weight = quadrature(boundaries, self.intervals, count)
-        given = self.touch.contact
-        stiffness = _RIGID if given.stiffness is None else given.stiffness
-        gap = Gap(stiffness, self.touch.clearance, given.tolerance, len(x))
+        one = self.touches[0]
+        room, hard = (
+            np.repeat([getattr(t, name) for t in self.touches], count)
+            for name in ("clearance", "stiffness")
+        )
+        gap = Gap(hard, room, one.contact.tolerance)
         law: Gap | Friction = gap
         if along:
-            law = Friction(given.friction, gap, given.threshold, np.zeros(len(x)))
-        return Points(x, weight, touching(law), tube=self.touch.inner, against=self.touch.outer)
+            law = Friction(self.friction, gap, one.contact.threshold, np.zeros(len(x)))
+        return Points(x, weight, touching(law), tube=one.inner, against=one.outer)
+
+
+def contacts(found: Sequence[Touch], piece: Index) -> list[Contact]:
+    """Contacts of tubes that do not deflect as one, by their pairs."""
+    pairs: dict[tuple[int, int], dict[int, Touch]] = {}
+    for touch in found:
+        if not bound(touch):
+            pairs.setdefault((touch.outer, touch.inner), {})[touch.piece] = touch
+    made = []
+    for by_piece in pairs.values():
+        intervals = np.flatnonzero(np.isin(piece, list(by_piece)))
+        made.append(Contact(intervals, tuple(by_piece[i] for i in piece[intervals].tolist())))
+    return made
 
 
 def quadrature(boundaries: Array, intervals: Index, count: int) -> tuple[Array, Array]:
@@ -185,7 +211,7 @@ def lateral_problem(
     needs: Needs,
     field: Field,
     soil: Soil,
-    contacts: Sequence[Contact],
+    meeting: Sequence[Contact],
 ) -> Problem:
     """Deflection on p-y reactions, in one plane or two."""
     x, weight, width, tube = soil.places(field.edges, field.degree)
@@ -205,7 +231,7 @@ def lateral_problem(
         free = compression(np.zeros(len(every)))
         leader = np.repeat(strings.leader, field.degree)
         points.append(Points(every, share, free, "slope", tube=leader, compressed=True))
-    points += [contact.points(field.edges, field.degree, along=False) for contact in contacts]
+    points += [contact.points(field.edges, field.degree, along=False) for contact in meeting]
     if needs.components == 2 and not reaction.odd:
         raise UserError(
             Fault(
@@ -237,7 +263,7 @@ def axial_problem(
     under: Footing | None,
     field: Field,
     soil: Soil,
-    contacts: Sequence[Contact],
+    meeting: Sequence[Contact],
 ) -> Problem:
     """Stretch on t-z reactions along the shaft and Q-z at the tip."""
     x, weight, width, tube = soil.places(field.edges, field.degree + 1)
@@ -246,7 +272,7 @@ def axial_problem(
         widest, deepest = soil.tip
         tip = soil.profile.tip(float(field.edges[-1]), widest)
         points.append(Points(field.edges[-1:], np.ones(1), tip, tube=deepest, spread=False))
-    rubbing = [c for c in contacts if c.touch.contact.friction]
+    rubbing = [c for c in meeting if c.friction]
     points += [c.points(field.edges, field.degree + 1, along=True) for c in rubbing]
     collect = Collector(scene, foundation, under, None, field)
     return Problem(System(field, 1, points, *collect.holds()), *collect.loads())

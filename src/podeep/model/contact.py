@@ -18,25 +18,32 @@ from typing import ClassVar
 
 import numpy as np
 
-from ..arrays import Array
+from ..arrays import Array, Index
 from ..soil.law import Law
 from ..soil.reaction import Reaction, Term
 
 
 @dataclass(frozen=True, eq=False)
 class Gap(Law):
-    """Normal force per length, N/m, at `size` points; stiffness N/m2, clearance, tolerance m."""
+    """Normal force per length, N/m; stiffness N/m2 and clearance m, (n,) each; tolerance m."""
 
     source: ClassVar[str] = "contact of a tube inside a tube, by penalty"
 
-    contact_stiffness: float
-    clearance: float
+    contact_stiffness: Array
+    clearance: Array
     tolerance: float
-    size: int
+
+    def at(self, places: Index) -> "Gap":
+        """The same law at some of its points, in any order."""
+        return replace(
+            self,
+            contact_stiffness=self.contact_stiffness[places],
+            clearance=self.clearance[places],
+        )
 
     @property
     def capacity(self) -> Array:
-        return np.full(self.size, np.inf)
+        return np.full(len(self.clearance), np.inf)
 
     def evaluate(self, u: Array) -> tuple[Array, Array]:
         depth = np.maximum(np.abs(u) - self.clearance, 0.0)

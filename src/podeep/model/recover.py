@@ -54,15 +54,13 @@ def end_forces(field: Field, q: Array, spread: Sequence[Spread], count: int) -> 
     for one in spread:
         total = whole.setdefault(one.motion, np.zeros_like(whole["value"]))
         total[..., one.elements, :] += one.resistance.reshape(*lead, len(one.elements), count)
-    rows = range(field.nodal)
-    local = field.element_stiffness[:, rows, :]
-    nodal = np.einsum("eij,...ej->...ei", local, q[..., field.dofs])
+    nodal = field.top_forces(q)
     if count:
         xi, weight = gauss_points(count)
         half = 0.5 * field.lengths[:, None]
         for motion, values in whole.items():
             functions = field.top_functions(xi, motion) * weight[:, None]
-            scale = field.scale[:, rows] * (half if motion == "value" else 1.0)
+            scale = field.scale[:, : field.nodal] * (half if motion == "value" else 1.0)
             nodal += np.einsum("...eg,egi->...ei", values, functions) * scale
     moment = -nodal[..., 1] * field.slope_length if field.nodal == 2 else 0.0 * nodal[..., 0]
     pressure = whole.pop("value")

@@ -10,6 +10,7 @@ from scipy import sparse
 from ..arrays import Array, Index
 from ..beam.field import Field
 from ..beam.strings import summed
+from ..scene import Section
 from ..soil.reaction import Reaction
 from .assemble import Model
 from .recover import EndForces, Spread, end_forces, internal_forces
@@ -97,6 +98,12 @@ class Results:
     def outermost(self, x: Array) -> Index:
         """Number of the outermost tube at depths x, (len(x),)."""
         return np.array([p.outermost for p in self.model.pieces])[self.piece(x)]
+
+    def sections(self, x: Array, tube: int) -> list[Section]:
+        """Section of a tube at each of some depths that it reaches."""
+        found = [self.model.pieces[i].sections[tube] for i in self.piece(x)]
+        nearest = next(s for s in found if s is not None)
+        return [nearest := s or nearest for s in found]
 
     def along(self, tube: int, x: Array) -> Array:
         """Those of some depths that a tube reaches."""

@@ -14,6 +14,8 @@ from ..beam.strings import Strings, woven
 from ..scene import Foundation, Scene, Section, Sliding
 from .mesh import TOUCH, Stretch
 
+_ENDS = 2.0  # length over which a rigid contact sets in, in diameters of the inner tube
+
 
 @dataclass(frozen=True, slots=True)
 class Link:
@@ -37,13 +39,18 @@ class Link:
 
 @dataclass(frozen=True, slots=True)
 class Touch:
-    """A sliding contact between two tubes by their numbers over a stretch that ties leave free."""
+    """A sliding contact between two tubes by their numbers over a stretch that ties leave free.
+
+    stiffness: of the contact, N/m2; of a rigid one such that the ends of a contact take up two
+    diameters of the inner tube: softer than steel tubes are, and stiff enough for the deflection.
+    """
 
     outer: int
     inner: int
     piece: int
     contact: Sliding
     clearance: float
+    stiffness: float
 
 
 def ties(scene: Scene, foundation: Foundation) -> list[Link]:
@@ -79,7 +86,10 @@ def touches(scene: Scene, foundation: Foundation, pieces: Sequence[Stretch]) -> 
                 continue
             room = 0.5 * (around.inner_diameter - inside.outer_diameter)
             clearance = room if contact.clearance is None else contact.clearance
-            found.append(Touch(outer, inner, i, contact, clearance))
+            softer = min(around.bending_stiffness, inside.bending_stiffness)
+            rigid = 4.0 * softer / (_ENDS * inside.outer_diameter) ** 4
+            stiffness = rigid if contact.stiffness is None else contact.stiffness
+            found.append(Touch(outer, inner, i, contact, clearance, stiffness))
     return found
 
 

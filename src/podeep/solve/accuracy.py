@@ -19,7 +19,7 @@ from ..model.coupling import pressed, rubbed, rubs
 from ..model.results import Results, product
 from ..model.system import System
 from .newton import NO_SCALE, Ending, Limits, Outcome, Scale, largest, newton
-from .refine import REST, Parts
+from .refine import REST, Unresolved
 from .statics import State
 
 _RESIDUAL = 1e-8  # how near the finer mesh comes to equilibrium: errors of iteration are seen too
@@ -165,7 +165,7 @@ def estimate(
     old: Results,
     richer: Model,
     states: Sequence[State],
-    parts: Parts,
+    parts: Sequence[Unresolved],
 ) -> tuple[Estimate, Estimate]:
     """Estimate the discretisation errors of solved `states`, lateral and axial.
 
@@ -197,14 +197,14 @@ def estimate(
             _Pair(*of_all(lambda r, x, tube: r.deflection(x, 0, tube))),
             _Pair(new.lateral_reaction(wet), old.lateral_reaction(wet)),
             _Pair(*of_all(lambda r, x, tube: r.shear_and_moment(x, tube)[1]), outer),
-            parts.lateral[0].total,
+            parts[0].total,
             lost,
         ),
         _estimate(
             _Pair(*of_all(lambda r, x, tube: r.settlement(x, 0, tube))),
             _Pair(new.axial_reaction(wet), old.axial_reaction(wet)),
             _Pair(*of_all(Results.compression)),
-            parts.axial[0].total,
+            parts[1].total,
             adrift,
         ),
     )

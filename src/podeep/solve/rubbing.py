@@ -1,8 +1,8 @@
 """A step of tubes that rub against each other: deflection and stretch until they agree.
 
 Friction follows from how the deflection presses the tubes together, the normal force that bends
-them further from the stretch. One is solved after the other, each time from where the step starts,
-until the stretch moves no more; without P-delta once is enough.
+them further from the stretch. One is solved after the other, near where it was the last time, until
+the stretch moves no more; without P-delta once is enough.
 """
 
 from dataclasses import replace
@@ -33,6 +33,8 @@ def advance_rubbing(
     bend, stretch = lateral.q, axial.q
     for _ in range(_ROUNDS):
         bent, pulled = (replace(start) for start in starts)
+        if made:
+            bent.increment, pulled.increment = bend - bent.q, stretch - pulled.q
         if model.needs.second_order:
             system = pressed(model, stretch, bend, bent.problem.system)
             bent.problem = replace(bent.problem, system=system)

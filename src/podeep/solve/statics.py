@@ -85,8 +85,8 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
         if rubs(model.axial.system):
             made, which = advance_rubbing(model, lateral, axial, before, after)
         else:
-            made = [advance_stretch(axial, before, after)]
-            if made[0].outcome.ending is Ending.CONVERGED:
+            made = [advance_stretch(axial, before, after)] if model.needs.axial else []
+            if all(m.outcome.ending is Ending.CONVERGED for m in made):
                 made.append(advance_deflection(model, lateral, axial, before, after))
                 which = "lateral"
         last = made[-1]
