@@ -18,11 +18,11 @@ from ..model.assemble import Model, Problem
 from ..model.coupling import pressed, rubbed, rubs
 from ..model.results import Results, product
 from ..model.system import System
-from .newton import Ending, Limits, newton
-from .refine import REST
+from .newton import NO_SCALE, Ending, Limits, Outcome, Scale, largest, newton
+from .refine import REST, Unresolved
 from .statics import State
 
-_RESIDUAL = 1e-9  # how near the finer mesh comes to equilibrium: errors of iteration are seen too
+_RESIDUAL = 1e-8  # how near the finer mesh comes to equilibrium: errors of iteration are seen too
 _BELOW = 1e-6  # of a depth: where the soil below a boundary is met, m
 _PLACES = 12  # depths in each element at which both meshes are compared
 
@@ -32,19 +32,21 @@ class Estimate:
     """Estimated errors of a problem relative to the largest value in each step, shape (steps,).
 
     displacement, reaction and moment (or normal force): change of the largest value. anywhere:
-    largest change of displacement or moment at any depth. All are 1 in a step whose equilibrium on
-    the finer mesh was not found.
+    largest change of displacement or moment at any depth. force: soil force that elements do not
+    resolve, by which the soil's force as it is reported misses the loads. All are 1 in a step whose
+    equilibrium on the finer mesh was not found.
     """
 
     displacement: Array
     reaction: Array
     moment: Array
     anywhere: Array
+    force: Array
 
     @property
     def worst(self) -> Array:
         """Largest relative error of each step, of any kind, shape (steps,)."""
-        kinds = (self.displacement, self.reaction, self.moment, self.anywhere)
+        kinds = (self.displacement, self.reaction, self.moment, self.anywhere, self.force)
         return np.asarray(np.max(kinds, axis=0))
 
 
@@ -86,10 +88,12 @@ def _corrected(
 ) -> tuple[Array, Array]:
     """Equilibria of the fine problem near the states, by its `systems`; where there are none."""
     start = prolong(states, coarse.system.field, fine.system.field, fine.system.components)
-    found = [
-        newton(system, q, fine.load(factor), limits)
-        for q, system, factor in zip(start, systems, factors, strict=True)
-    ]
+    found: list[Outcome] = []
+    scale = NO_SCALE
+    for q, system, factor in zip(start, systems, factors, strict=True):
+        found.append(newton(system, q, fine.load(factor), limits, scale))
+        force, unknown = largest(found[-1].internal), largest(found[-1].q)
+        scale = Scale(max(scale.force, force), max(scale.unknown, unknown))
     lost = [outcome.ending is not Ending.CONVERGED for outcome in found]
     return np.array([outcome.q for outcome in found]), np.array(lost)
 
@@ -150,17 +154,23 @@ class _Pair:
         return _ratio(_largest(self.new - self.old), self.size)
 
 
-def _estimate(moved: _Pair, held: _Pair, inner: _Pair, lost: Array) -> Estimate:
+def _estimate(moved: _Pair, held: _Pair, inner: _Pair, force: Array, lost: Array) -> Estimate:
     """From displacement, reaction and moment (or normal force); lost: steps without equilibrium."""
     anywhere = np.maximum(moved.anywhere, inner.anywhere)
-    kinds = (moved.largest, held.largest, inner.largest, anywhere)
+    kinds = (moved.largest, held.largest, inner.largest, anywhere, force)
     return Estimate(*(np.where(lost, 1.0, kind) for kind in kinds))
 
 
-def estimate(old: Results, richer: Model, states: Sequence[State]) -> tuple[Estimate, Estimate]:
+def estimate(
+    old: Results,
+    richer: Model,
+    states: Sequence[State],
+    parts: Sequence[Unresolved],
+) -> tuple[Estimate, Estimate]:
     """Estimate the discretisation errors of solved `states`, lateral and axial.
 
-    old: their results. richer: the model on a finer mesh of a higher degree.
+    old: their results. richer: the model on a finer mesh of a higher degree. parts: what the
+    elements do not resolve.
     """
     limits = Limits(residual=_RESIDUAL)
     model = old.model
@@ -187,12 +197,14 @@ def estimate(old: Results, richer: Model, states: Sequence[State]) -> tuple[Esti
             _Pair(*of_all(lambda r, x, tube: r.deflection(x, 0, tube))),
             _Pair(new.lateral_reaction(wet), old.lateral_reaction(wet)),
             _Pair(*of_all(lambda r, x, tube: r.shear_and_moment(x, tube)[1]), outer),
+            parts[0].total,
             lost,
         ),
         _estimate(
             _Pair(*of_all(lambda r, x, tube: r.settlement(x, 0, tube))),
             _Pair(new.axial_reaction(wet), old.axial_reaction(wet)),
             _Pair(*of_all(Results.compression)),
+            parts[1].total,
             adrift,
         ),
     )
@@ -200,4 +212,4 @@ def estimate(old: Results, richer: Model, states: Sequence[State]) -> tuple[Esti
 
 def unestimated(steps: int) -> Estimate:
     """Errors of 100 % for states whose estimate was not waited for."""
-    return Estimate(*(np.ones(steps) for _ in range(4)))
+    return Estimate(*(np.ones(steps) for _ in range(5)))

@@ -121,7 +121,7 @@ def estimated(
     try:
         every = np.ones(len(states), dtype=bool)
         richer = rebuilt(scene, model, finer(parts, [every] * len(parts)), 1)
-        found = estimate(old, richer, states)
+        found = estimate(old, richer, states, parts)
     except KeyboardInterrupt:
         return parts, (unestimated(len(states)),) * 2, True
     return parts, found, False

@@ -13,6 +13,7 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 from ..arrays import Array, Flags, Index
+from ..beam.field import Motion
 from ..beam.shapes import gauss_interpolation, gauss_points
 from ..model.assemble import Problem
 from ..model.contact import Gap
@@ -25,6 +26,7 @@ REST = 1e-6  # share of the run's largest value below which a step is at rest
 _BULK = 0.8  # share of all unresolved force whose elements are cut (Doerfler 1996)
 _SHORTEST = 5e-5  # element over tube
 _ROUNDING = 1e-4  # of all soil force: what rounding of displacements may make of it in an element
+_SOFTEST = 1e4  # EI / GAs over (h/2)^2: rounding of its square is then 1e-8
 _CHECKS = 16  # intervals of an element between the depths where its force is checked
 _NEAR_END = 1e-9  # of half an element: a check stays in the element's own soil layer
 _ZOOMS = 4  # times that a corner is looked for in an eighth of the interval
@@ -41,7 +43,8 @@ class Unresolved:
     """Force that elements do not resolve in each step, as a share of all force of its kind.
 
     share: shape (steps, intervals). intervals: where it acts, rising. force: all of it, (steps,),
-    N. states: unknowns of each step, (steps, unknowns). at: from depths to what acts there.
+    N. states: unknowns of each step, (steps, unknowns). at: from depths to what acts there, times
+    the size of what `leader` tells of, if that is given.
     """
 
     share: Array
@@ -50,12 +53,19 @@ class Unresolved:
     problem: Problem
     states: Array
     at: Places
+    leader: Places | None = None
+
+    @property
+    def total(self) -> Array:
+        """Share of all elements together, (steps,)."""
+        return np.asarray(self.share.sum(axis=1))
 
     @property
     def shortest(self) -> Array:
         """Length below which elements are mere rounding, for each interval, m.
 
         Rounding of a displacement u makes a force of eps u EI / h^3 (eps u EA / h of a stretch).
+        Elements soft in shear are sums of powers of EI / GAs over (h/2)^2.
         """
         field = self.problem.system.field
         nodes = field.dofs[:, 0]
@@ -66,27 +76,45 @@ class Unresolved:
         least = _SHORTEST * (field.edges[-1] - field.edges[0])
         power = 1.0 / (2 * field.continuity + 1)
         short = (noise / bearable) ** power if bearable > 0.0 else np.zeros(len(noise))
+        if field.shear_stiffness is not None:
+            soft = 2.0 * np.sqrt(field.stiffness / field.shear_stiffness / _SOFTEST)
+            np.maximum.at(short, field.strings.interval, soft)
         return np.asarray(np.maximum(short, least))
 
 
 def unresolved(results: Results) -> tuple[Unresolved, ...]:
-    """Of the deflection and of the stretch: what lies between the force of the soil, or of a tube
-    on another, and its polynomial through the Gauss points."""
+    """What lies between a force and its polynomial through the Gauss points.
+
+    First that of the soil on the deflection, then on the stretch; then couples of the soil, and
+    forces of tubes on each other.
+    """
     model, profile = results.model, results.model.profile
     wet = np.flatnonzero(model.edges[1:] > _WET)
 
-    def soil(react: Callable[[Array, Array], Reaction]) -> Places:
+    def soil(react: Callable[[Array, Array], Reaction], motion: Motion = "value") -> Places:
         def at(x: Array) -> Points:
             x = np.maximum(x, 0.0)
             reaction = react(x, results.diameter(x))
-            return Points(x, np.ones(len(x)), reaction, tube=results.outermost(x))
+            return Points(x, np.ones(len(x)), reaction, motion, tube=results.outermost(x))
 
         return at
 
+    def couple(follows: bool) -> Places:
+        def react(x: Array, width: Array) -> Reaction:
+            return profile.moment(x, width).part(lambda law: law.follows_lateral == follows)
+
+        return soil(react, "rotation")
+
+    pushed = soil(profile.lateral)
+    bent = (model.lateral, results.lateral, wet)
     found = [
-        _unresolved(model.lateral, results.lateral, wet, soil(profile.lateral)),
+        _unresolved(*bent, pushed),
         _unresolved(model.axial, results.axial, wet, soil(profile.shaft)),
     ]
+    for points in model.lateral.system.points:
+        if points.spread and points.motion == "rotation":
+            leader = None if points.follows is None else pushed
+            found.append(_unresolved(*bent, couple(points.follows is not None), leader))
     for points in model.lateral.system.points:
         if points.against is not None:
             count = model.lateral.system.field.degree
@@ -109,7 +137,9 @@ def _between(points: Points, edges: Array, intervals: Index, count: int) -> Plac
     return at
 
 
-def _unresolved(problem: Problem, states: Array, intervals: Index, at: Places) -> Unresolved:
+def _unresolved(
+    problem: Problem, states: Array, intervals: Index, at: Places, leader: Places | None = None
+) -> Unresolved:
     """Unresolved force by step and interval over all force of the step."""
     field = problem.system.field
     lengths = np.diff(field.edges)[intervals]
@@ -119,7 +149,12 @@ def _unresolved(problem: Problem, states: Array, intervals: Index, at: Places) -
         (field.edges[intervals, None] + 0.5 * lengths[:, None] * (places + 1.0)).ravel()
         for places in (gauss_points(count)[0], xi)
     )
-    known, true = (_resistance(problem, states, at(x)) for x in (gauss, checks))
+
+    def resistance(x: Array) -> Array:
+        own = _resistance(problem, states, at(x))
+        return own if leader is None else own * _norm(_resistance(problem, states, leader(x)))
+
+    known, true = resistance(gauss), resistance(checks)
     steps, n = len(true), len(intervals)
     true = true.reshape(steps, -1, n, len(xi))
     known = known.reshape(steps, -1, n, count)
@@ -129,7 +164,12 @@ def _unresolved(problem: Problem, states: Array, intervals: Index, at: Places) -
     every = trapezoid(np.abs(true), xi).sum(axis=1) @ half
     whole = np.maximum(every, REST * every.max(initial=0.0))[:, None]
     share: Array = np.divide(missing, whole, out=np.zeros(missing.shape), where=whole > 0.0)
-    return Unresolved(share, every, intervals, problem, states, at)
+    return Unresolved(share, every, intervals, problem, states, at, leader)
+
+
+def _norm(vectors: Array) -> Array:
+    """Sizes (steps, 1, points) of vectors (steps, components, points)."""
+    return np.asarray(np.linalg.norm(vectors, axis=1, keepdims=True))
 
 
 def _resistance(problem: Problem, states: Array, points: Points) -> Array:
@@ -138,7 +178,7 @@ def _resistance(problem: Problem, states: Array, points: Points) -> Array:
     unknowns = np.moveaxis(states.reshape(len(states), -1, components), 2, 1)
     u = product(unknowns, points.matrix(problem.system.field))
     if components == 1:
-        return points.reaction.evaluate(u)[0]
+        return np.asarray(points.reaction.evaluate(u[:, 0])[0][:, None])
     distance = np.linalg.norm(u, axis=1)
     force, modulus = points.reaction.evaluate(distance)
     return np.asarray(secant(force, distance, modulus)[:, None] * u)
@@ -205,10 +245,17 @@ def _force(one: Unresolved, x: Array, interval: Index, step: Index) -> Array:
     system = one.problem.system
     lengths = np.diff(system.field.edges)[interval]
     inside = system.field.edges[interval] + lengths * _NEAR_END
-    points = one.at(np.maximum(x, inside[:, None]).ravel())
-    dofs, shares = points.rows(system.field)
+    depth = np.maximum(x, inside[:, None]).ravel()
     unknowns = one.states.reshape(len(one.states), -1, system.components)
     rows = np.repeat(step, x.shape[1])[:, None]
-    u = np.einsum("rl,rlc->rc", shares, unknowns[rows, dofs])
-    size = u[:, 0] if system.components == 1 else np.hypot(u[:, 0], u[:, 1])
-    return points.reaction.evaluate(size)[0].reshape(x.shape)
+
+    def size(points: Points) -> Array:
+        dofs, shares = points.rows(system.field)
+        u = np.einsum("rl,rlc->rc", shares, unknowns[rows, dofs])
+        moved = u[:, 0] if system.components == 1 else np.hypot(u[:, 0], u[:, 1])
+        return points.reaction.evaluate(moved)[0]
+
+    force = size(one.at(depth))
+    if one.leader is not None:
+        force = force * np.abs(size(one.leader(depth)))
+    return force.reshape(x.shape)

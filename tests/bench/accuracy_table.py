@@ -1,0 +1,149 @@
+"""Every static case and sample at four accuracies against its own converged solution.
+
+    python tests/bench/accuracy_table.py [--csv | --short] [WORD ...]
+
+For each case and accuracy: elements, true errors of the largest displacement, reaction and moment
+(normal force where there is no other), the estimates that the run stores, and what misses a bar:
+errors at most 2 times the accuracy, estimates within a factor of 10 of the errors, below 1e-9
+counted as 1e-9. Then the converged solution against the case's oracle. WORDs choose cases.
+"""
+
+import argparse
+import sys
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from textwrap import wrap
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from accuracy_cases import SAMPLE_ORACLES, every
+from measured import Converged, Measured, converged, measured
+from podeep.database.read import open_database
+from podeep.deck.read import Deck, read_deck
+from podeep.record import sheet
+from podeep.run import write
+from static_cases import Deviations, StaticCase
+
+GRID = 1e-7  # accuracy of what is read between the depths of the converged database
+HEAD = f"{'':21} el.  {'displacement':>17} {'reaction':>17} {'moment':>17}"
+SHORT = f"{'case':<32}{'elements':>17}  {'error':>7}  {'estimate':>11}  {'oracle':>7}"
+
+
+@dataclass(frozen=True)
+class Row:
+    """One case measured: its converged solution, its accuracies, its distance from its oracle."""
+
+    name: str
+    against: Converged
+    accuracies: tuple[Measured, ...]
+    oracle: Deviations
+
+    @property
+    def missed(self) -> list[str]:
+        """Bars of the oracle that do not hold."""
+        return [d.what for d in self.oracle if not d.found <= d.asked]
+
+
+def deviations(name: str, case: StaticCase | Path, deck: Deck, against: Converged) -> Deviations:
+    """The converged solution as a database against the oracle."""
+    compare = case.compare if isinstance(case, StaticCase) else SAMPLE_ORACLES[name]
+    scene = replace(deck.scene, numerics=replace(deck.scene.numerics, accuracy=GRID))
+    with tempfile.TemporaryDirectory() as folder:
+        target = Path(folder) / "case.dss"
+        sheets = [sheet(scene, against.solved)]
+        write(target, deck, scene, sheets, "", interrupted=False, force=True)
+        with open_database(target) as database:
+            return compare(database)
+
+
+def table(words: list[str]) -> Iterator[Row]:
+    """Cases whose names hold one of the words, or all, one after the other."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, case in every().items():
+            if words and not any(w in name for w in words):
+                continue
+            path = case if isinstance(case, Path) else Path(folder) / "case.deck"
+            if isinstance(case, StaticCase):
+                path.write_text(case.text, encoding="utf-8")
+            deck = read_deck(path)
+            against = converged(deck.scene)
+            accuracies = tuple(measured(deck.scene, against))
+            yield Row(name, against, accuracies, deviations(name, case, deck, against))
+
+
+def told(row: Row) -> str:
+    """A case as text of 80 columns."""
+    model = row.against.solved.model
+    lines = [f"{row.name}: converged on {model.elements} elements, {row.against.change:.0e} away"]
+    for one in row.accuracies:
+        pairs = zip(one.true, one.estimate, strict=True)
+        cells = " ".join(f"{true:8.1e} {estimate:8.1e}" for true, estimate in pairs)
+        lines.append(f"{one.asked:>20.0e} {one.elements:4d}  {cells}")
+        lines += [f"    MISS {miss}" for miss in one.misses]
+    if row.oracle:
+        worst = ", ".join(f"{d.what} {d.found:.1e} of {d.asked:g}" for d in row.oracle)
+        lines += wrap(f"oracle: {worst}", 80, initial_indent=" " * 14, subsequent_indent=" " * 22)
+        lines += [f"    MISS oracle: {what}" for what in row.missed]
+    return "\n".join(lines)
+
+
+def shortly(row: Row) -> str:
+    """A case in one line: elements, error over accuracy, estimate over error, oracle over bar."""
+    elements = " ".join(f"{one.elements:3d}" for one in row.accuracies)
+    ratios = np.array([one.ratios for one in row.accuracies])
+    excess = max(one.excess for one in row.accuracies)
+    oracle = max((d.found / d.asked for d in row.oracle), default=np.nan)
+    beside = f"{oracle:7.2g}" if row.oracle else f"{'none':>7}"
+    spread = f"{ratios.min():.2g} to {ratios.max():.2g}"
+    return f"{row.name:<32}{elements:>17}  {excess:7.1g}  {spread:>11}  {beside}"
+
+
+def as_csv(row: Row) -> str:
+    """A line for each accuracy."""
+    oracle = max((d.found / d.asked for d in row.oracle), default=float("nan"))
+    return "\n".join(
+        ",".join(
+            [row.name, f"{one.asked:g}", str(one.elements)]
+            + [f"{v:.3e}" for v in (*one.true, *one.estimate)]
+            + [f"{oracle:.3e}", f"{row.against.change:.1e}"]
+        )
+        for one in row.accuracies
+    )
+
+
+CSV = (
+    "case,accuracy,elements,error_displacement,error_reaction,error_moment,"
+    "estimate_displacement,estimate_reaction,estimate_moment,oracle_over_bar,change"
+)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser()
+    ways = parser.add_mutually_exclusive_group()
+    ways.add_argument("--csv", action="store_true")
+    ways.add_argument("--short", action="store_true")
+    parser.add_argument("words", nargs="*")
+    asked = parser.parse_args()
+    head, line = (CSV, as_csv) if asked.csv else (SHORT, shortly) if asked.short else (HEAD, told)
+    print(head)
+    found = []
+    for row in table(asked.words):
+        found.append(row)
+        print(line(row), flush=True)
+    if not asked.csv:
+        ratios = np.array([[one.ratios for one in row.accuracies] for row in found])
+        excess = max(one.excess for row in found for one in row.accuracies)
+        misses = sum(len(one.misses) for row in found for one in row.accuracies)
+        oracles = sum(len(row.missed) for row in found)
+        print(
+            f"{len(found)} cases: errors up to {excess:.2g} times the accuracy, estimates "
+            f"{ratios.min():.2g} to {ratios.max():.2g}\ntimes the errors; {misses} misses, "
+            f"{oracles} of oracles"
+        )
+
+
+if __name__ == "__main__":
+    main()
