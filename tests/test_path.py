@@ -12,16 +12,21 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from podeep.deck.read import read_deck
+from podeep.model.needs import Needs
 from podeep.model.results import Results
 from podeep.scene import Scene
 from podeep.soil.profile import profile_of
 from podeep.solve.accuracy import unestimated
 from podeep.solve.analysis import Solved, first_model, limits, run
+from podeep.solve.bordered import Bordered
 from podeep.solve.continuation import Walk
+from podeep.solve.diagnosis import explain
 from podeep.solve.loaded import Loaded
 from podeep.solve.newton import Scale
 from podeep.solve.path import PathEnd, follow
+from scenes import reference_pile
 from test_softening import CURVES, DIAMETER, LENGTH, STIFF
+from test_system import model
 
 RIGID = 6e-4  # what is left of the bending
 RIGID_MODEL = "*MODEL, PATH=ON, ELEMENTS=16"
@@ -213,3 +218,97 @@ def test_a_head_pushed_down_goes_the_same_way(tmp_path):
     expected = upwards(scene, tip)
     np.testing.assert_allclose(head, expected[0], rtol=1e-3)
     np.testing.assert_allclose(found.compression(np.zeros(1))[:, 0], expected[1], rtol=1e-3)
+
+
+@pytest.mark.parametrize("times", [1.01, 40.0])
+def test_a_plastic_plateau_is_walked_along(tmp_path, times):
+    """Friction of 50 kPa on 20 m of 1 m, 2 MPa under the tip: nothing but inertia is left."""
+    capacity = np.pi * 50e3 * 20.0 + 0.25 * np.pi * 2e6
+    scene = scene_of(
+        tmp_path,
+        "*DEPTH\n0\n*GROUNDEPTH\n0\n*TZCURVE\n1 0 50e3 2e6\n*GROUNDPROP\n0 1\n*CASING\n1 P",
+        "0 -20 1 0.05 210e9 7850\n*FONDATION\n1 1",
+        f"*LOAD\nDOWN 1 0 0 0 {-times * capacity!r}\n*QUASISTATIC\n1\n*MODEL, PATH=ON",
+    )
+    found = followed(scene)
+    assert found.path.end is PathEnd.FLAT
+    np.testing.assert_allclose(times * factors(found)[1:], 1.0, rtol=1e-5)
+    settlement = found.results.settlement(np.zeros(1))[1:, 0]
+    assert settlement[-1] > 1.4 * settlement[0]
+    assert sum(s.iterations for s in found.path.states) < 6 * len(found.path.states)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "end", "states"),
+    [("continuation._ITERATIONS", 0, PathEnd.LOST, 1), ("path._MOST", 7, PathEnd.LONG, 7)],
+)
+def test_a_path_that_cannot_or_may_not_go_on_says_so(
+    tmp_path, monkeypatch, name, value, end, states
+):
+    scene = stub(tmp_path, BREAKS, "2.1e6 0 0", RIGID_MODEL)
+    monkeypatch.setattr(f"podeep.solve.{name}", value)
+    found = followed(scene)
+    assert (found.path.end, len(found.path.states)) == (end, states)
+    told = explain(found, found.failure, ("HEAD",))
+    assert end.value in told
+    peak = found.path.states[found.path.peak].factors[0]
+    assert f"HEAD {peak:.4g}" in told
+
+
+@pytest.mark.parametrize("components", [1, 2])
+def test_the_bordered_matrix_is_solved_where_the_tangent_is_indefinite(components):
+    """Against a dense matrix: the step, the sign of the determinant, the band's full width."""
+    wanted = Needs(0.0 if components == 1 else None, components, ())
+    system = model(reference_pile(), wanted).lateral.system
+    rng = np.random.default_rng(1)
+    n, signs = system.size, set()
+    for _ in range(6):
+        system.internal(0.05 * rng.standard_normal(n))
+        u, distance, force, modulus = system._state
+        system._state = u, distance, force, modulus * rng.choice([1.0, -3e3], size=modulus.shape)
+        lower = system.tangent()
+        dense = sum(np.diag(lower[d, : n - d], -d) for d in range(len(lower)))
+        dense = dense + np.tril(dense, -1).T
+        pull, row, corner = 1e6 * rng.standard_normal(n), rng.standard_normal(n), 0.3
+        whole = np.block([[dense, -pull[:, None]], [row[None], np.array([[corner]])]])
+        bordered = Bordered(system, pull, row, corner)
+        right = rng.standard_normal(n)
+        expected = np.linalg.solve(whole, np.append(right, 0.7))
+        step, change = bordered.solve(right, 0.7)
+        np.testing.assert_allclose(
+            np.append(step, change), expected, atol=1e-6 * abs(expected).max()
+        )
+        assert bordered.sign == np.linalg.slogdet(whole)[0]
+        signs.add(bordered.sign)
+        move = rng.standard_normal(n)
+        np.testing.assert_allclose(system.tangent_times(move), dense @ move, rtol=1e-9, atol=1e-3)
+    assert signs == {-1.0, 1.0}
+
+
+@pytest.mark.parametrize("at", [0.03, 0.021, 0.0201])
+def test_a_spring_above_a_rigid_pile_turns_the_curve_round(tmp_path, at):
+    """A soft free length on a rigid embedded one: P = F(w) and the head moves by P L / EA more.
+
+    Where the friction drops at once, the head goes back almost as it came; the pile sinks on.
+    """
+    friction, left, free, soft = 50e3, 10e3, 10.0, 2e9
+    scene = scene_of(
+        tmp_path,
+        f"*DEPTH\n0\n*GROUNDEPTH\n0\n{FALLS.format(left=left, at=at)}*GROUNDPROP\n0 1",
+        f"*CASING\n1 PILE\n{free!r} 0 2 0.05 210e9 7850 EA={soft!r}",
+        "0 -40 2 0.05 210e9 7850 EA=1e15\n*FONDATION\n1 1",
+        f"*LOAD\nHEAD 1 {free!r} 0 0 -16e6\n*QUASISTATIC\n10\n*MODEL, PATH=ON, ELEMENTS=8",
+    )
+    found = followed(scene)
+    head, sunk = found.results.settlement(np.array([-free, 20.0]))[1:].T
+    force = 16e6 * factors(found)[1:]
+    around = 2.0 * np.pi * 40.0
+    expected = around * np.interp(sunk, (0.0, 0.002, 0.02, at), (0.0, 25e3, friction, left))
+    np.testing.assert_allclose(force, expected, rtol=2e-3)
+    np.testing.assert_allclose(head, sunk + force * free / soft, rtol=1e-5)
+    assert (np.diff(sunk) > 0.0).all()
+    assert force.max() == pytest.approx(around * friction, rel=1e-3)
+    assert force[-1] == pytest.approx(around * left, rel=1e-6)
+    assert found.path.end is PathEnd.FLAT
+    beyond = found.path.states[1:]
+    assert any(around * left * 1.05 < 16e6 * s.factors[0] < 0.95 * force.max() for s in beyond)

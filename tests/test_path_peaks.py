@@ -191,3 +191,41 @@ def test_snap_backs_are_followed_or_told_and_none_is_wrong():
         assert force.max() == pytest.approx(LOAD * fine, rel=1e-3), case
         ends[path.end] += 1
     assert ends == {PathEnd.FLAT: 12}
+
+
+@pytest.mark.parametrize(("elements", "degree"), [(6, 3), (4, 5), (8, 5)])
+def test_the_estimate_on_the_path_is_the_error_of_its_load(elements, degree):
+    """Against 160 elements at the same settlement of the tip: not below it, not five times it."""
+
+    def curve(elements: int, degree: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        scene = friction_pile(elements)
+        found = solved(replace(scene, numerics=replace(scene.numerics, degree=degree)))
+        tip = found.results.settlement(np.array([40.0]))[found.steps :, 0]
+        return tip, loads(found), found.estimates[1].moment[found.steps :]
+
+    exact = curve(160, 5)
+    tip, force, estimated = curve(elements, degree)
+    falling = force > 1.1 * force[-1]  # beyond it the curve has a bend, and lines cut it
+    error = np.abs(force - np.interp(tip, *exact[:2])) / force
+    assert 0.2 < error[falling].max() / estimated[falling].max() < 1.0
+
+
+def test_a_spatial_path_is_that_of_the_plane():
+    """At 30 degrees, both components solved: the same factors in the same states."""
+    c, s = np.cos(np.pi / 6.0), np.sin(np.pi / 6.0)
+    scene = stub(SOFTENING["cyclic soft clay"])
+    scene = pushed(scene, 1.2 * mechanism(scene).lateral_load, 10, 8, fixed=False)
+    numerics = replace(scene.numerics, follow_path=True)
+    force = scene.loads[0].force[0]
+    aside = replace(scene.loads[0], force=(c * force, s * force, 0.0))
+    plane = solved(replace(scene, numerics=numerics))
+    space = solved(
+        replace(scene, loads=(aside,), numerics=replace(numerics, components=2)),
+    )
+    assert space.model.needs.components == 2
+    one, other = (np.array([s.factors[0] for s in f.path.states]) for f in (plane, space))
+    np.testing.assert_allclose(other, one, rtol=1e-5)
+    head = np.array([-1.0])
+    y = [np.linalg.norm(f.results.deflection(head)[:, :, 0], axis=1) for f in (plane, space)]
+    np.testing.assert_allclose(y[1], y[0], rtol=1e-4)
+    assert one[-1] < 0.97 * one.max()

@@ -170,14 +170,12 @@ class Walk:
             if found is None and part > 2.0**-_HALVINGS:
                 self.part = 0.5 * part
                 continue
-            if found is None:
-                found = self._turn(part * length)
-            elif self._passes_summit(found):
-                found, done, self.topped = self._summit(part * length, found), 1.0, True
-            else:
-                self.topped = False
+            found = found or self._turn(part * length)
             if found is None:
                 return None
+            self.topped = self._passes_summit(found)
+            if self.topped:
+                found, done = self._summit(part * length, found), 1.0
             self.smallest = min(self.smallest, part)
             done += part
             self.point, self.highest = found, max(self.highest, found.factor)
