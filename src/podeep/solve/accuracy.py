@@ -9,6 +9,7 @@ that difference is the estimate.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import repeat
 
 import numpy as np
 
@@ -78,16 +79,15 @@ def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
     return np.moveaxis(rows, 1, 2).reshape(len(q), -1)
 
 
+def _prolonged(states: Array, coarse: Problem, fine: Problem) -> Array:
+    return prolong(states, coarse.system.field, fine.system.field, fine.system.components)
+
+
 def _corrected(
-    coarse: Problem,
-    fine: Problem,
-    systems: Sequence[System],
-    states: Array,
-    factors: Array,
-    limits: Limits,
+    fine: Problem, systems: Sequence[System], start: Array, factors: Array
 ) -> tuple[Array, Array]:
-    """Equilibria of the fine problem near the states, by its `systems`; where there are none."""
-    start = prolong(states, coarse.system.field, fine.system.field, fine.system.components)
+    """Equilibria of the fine problem near states of it, by its `systems`; where there are none."""
+    limits = Limits(residual=_RESIDUAL)
     found: list[Outcome] = []
     scale = NO_SCALE
     for q, system, factor in zip(start, systems, factors, strict=True):
@@ -98,10 +98,13 @@ def _corrected(
     return np.array([outcome.q for outcome in found]), np.array(lost)
 
 
-def _as_in(state: State, model: Model, system: System) -> System:
-    """A lateral system as a state had it: its softening and its normal force."""
-    softened = system.softened(state.softening)
-    return pressed(model, state.axial, state.lateral, softened) if system.second_order else softened
+def _as_in(state: State, richer: Model, axial: Array, lateral: Array) -> System:
+    """The lateral system of a finer model in a state: softened, and under the normal force there.
+
+    axial, lateral: unknowns of the finer model.
+    """
+    softened = richer.lateral.system.softened(state.softening)
+    return pressed(richer, axial, lateral, softened) if softened.second_order else softened
 
 
 def _largest(values: Array) -> Array:
@@ -172,14 +175,15 @@ def estimate(
     old: their results. richer: the model on a finer mesh of a higher degree. parts: what the
     elements do not resolve.
     """
-    limits = Limits(residual=_RESIDUAL)
     model = old.model
     factors = np.array([s.factors for s in states])
-    bent = [_as_in(s, model, richer.lateral.system) for s in states]
     rough = richer.axial.system
     stretched = [rubbed(model, s.lateral, rough) if rubs(rough) else rough for s in states]
-    lateral, lost = _corrected(model.lateral, richer.lateral, bent, old.lateral, factors, limits)
-    axial, adrift = _corrected(model.axial, richer.axial, stretched, old.axial, factors, limits)
+    bent = _prolonged(old.lateral, model.lateral, richer.lateral)
+    drawn = _prolonged(old.axial, model.axial, richer.axial)
+    axial, adrift = _corrected(richer.axial, stretched, drawn, factors)
+    systems = [_as_in(*each) for each in zip(states, repeat(richer), axial, bent)]
+    lateral, lost = _corrected(richer.lateral, systems, bent, factors)
     new = Results(richer, lateral, axial)
     share = np.arange(_PLACES) / _PLACES
     inside = richer.edges[:-1, None] + np.diff(richer.edges)[:, None] * share
