@@ -72,6 +72,8 @@ def numerics_lines(scene: Scene) -> Iterator[str]:
         yield "the normal force bends the tubes further (PDELTA)"
     if numerics.shear:
         yield "tubes are soft in shear (SHEAR=ON)"
+    if numerics.weight:
+        yield "tubes have their own weight (WEIGHT=ON)"
     limits = (
         f"at most {newton.iterations} iterations, forces balanced to {newton.force:g} or better"
     )

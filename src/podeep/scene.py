@@ -216,7 +216,7 @@ class Numerics:
 
     axial_curves: t-z and Q-z act; otherwise supports alone carry the tubes along z. second_order:
     the normal force works on the slope (P-delta). shear: tubes are soft in shear. components:
-    lateral deflections that are solved, 1 in a plane or 2.
+    lateral deflections that are solved, 1 in a plane or 2. weight: tubes have their own weight.
     """
 
     accuracy: float = 1e-3
@@ -225,6 +225,7 @@ class Numerics:
     axial_curves: bool = True
     second_order: bool | None = None
     shear: bool = False
+    weight: bool = False
     components: Literal[1, 2] | None = None
 
 

@@ -117,6 +117,14 @@ MODEL = Keyword(
                     default=False,
                 ),
                 Column(
+                    "WEIGHT",
+                    "tubes have their own weight, in water below sea level, from step 0 on",
+                    key="weight",
+                    kind="switch",
+                    named=True,
+                    default=False,
+                ),
+                Column(
                     "TZ",
                     "t-z and Q-z curves act; OFF: a vertical support at each tip carries the tube, "
                     "and its reaction is checked against their capacity",
@@ -132,7 +140,7 @@ MODEL = Keyword(
     once=True,
     optioned=True,
     planned=(
-        *("LARGE", "LENGTH", "WEIGHT"),
+        *("LARGE", "LENGTH"),
         *("PATH", "HYSTERESIS"),
     ),
 )

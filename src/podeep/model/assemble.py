@@ -6,6 +6,7 @@ own narrow band and its own convex energy.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -27,6 +28,7 @@ from .mesh import Stretch, stretches
 from .needs import Decision, Needs
 from .system import Points, System
 from .weave import Parts, Touch, bound, lateral_links, parts, ties, touches, weave
+from .weight import Weights, unit_weight
 
 #: How the soil acts: along each element, at its Gauss points, or as springs at its two ends, each
 #: with half of the element's length.
@@ -39,16 +41,28 @@ _ENDS = (np.array([-1.0, 1.0]) * (1.0 - 1e-9), np.ones(2))
 class Problem:
     """One system with its loads: columns of `forces` and `imposed` belong to the named loads.
 
-    forces, imposed: shape (names, unknowns); imposed values stand on held unknowns.
+    forces, imposed: shape (names, unknowns); imposed values stand on held unknowns. weights: where
+    tubes weigh, in every step.
     """
 
     system: System
     forces: Array
     imposed: Array
+    weights: tuple[Weights, ...] = ()
+
+    @cached_property
+    def dead(self) -> Array:
+        """Force vector of the weights, shape (unknowns,)."""
+        total = np.zeros(self.system.size)
+        for w in self.weights:
+            matrix = self.system.field.interpolation(w.x, 0, w.tube)
+            total += matrix.T @ (w.share * w.force)
+        return total
 
     def load(self, factors: Array) -> Array:
         """Force vector of a step; factors has shape (names,) or (steps, names)."""
-        return np.asarray(factors @ self.forces)
+        named = np.asarray(factors @ self.forces)
+        return named + self.dead if self.weights else named
 
     def prescribed(self, factors: Array) -> Array:
         """Values of the held unknowns in a step, zero elsewhere."""
@@ -83,6 +97,7 @@ def cut(scene: Scene, foundation: Foundation, profile: Profile) -> tuple[Stretch
     """The foundation's stretches of uniform sections and soil layer."""
     tubes = [scene.tubes[tube] for tube in foundation.tubes]
     depths = [foundation.mudline - elevation for elevation in scene.marks(foundation)]
+    depths += [foundation.mudline] if scene.numerics.weight else []  # sea level
     return stretches(tubes, foundation.mudline, profile, depths)
 
 
@@ -115,7 +130,7 @@ def assemble(
     meeting = contacts(found, piece)
     place = (scene, foundation, under)
     lateral = lateral_problem(*place, needs, deflection, soil, meeting)
-    axial = axial_problem(*place, stretch, soil, meeting)
+    axial = axial_problem(*place, pieces, stretch, soil, meeting)
     told = needs.told(*tubes_as_one(foundation, found))
     return Model(foundation, told, tuple(pieces), profile, owned, lateral, axial, under, reactions)
 
@@ -257,10 +272,30 @@ def turning(profile: Profile, lateral: Points, width: Array) -> list[Points]:
     return [points for points in both if points.reaction.laws]
 
 
+def heavy(
+    scene: Scene, foundation: Foundation, pieces: Sequence[Stretch], field: Field
+) -> Iterator[Weights]:
+    """The weight of each tube along it, down the stretch."""
+    middle = 0.5 * (field.edges[:-1] + field.edges[1:])
+    piece = np.searchsorted([p.bottom for p in pieces], middle)
+    count = field.degree + 1
+    for tube, carrier in enumerate(field.strings.carrier):
+        there = np.flatnonzero(carrier >= 0)
+        x, share = quadrature(field.edges, there, count)
+        weights = [
+            unit_weight(section, scene.sea, submerged=x_ > foundation.mudline)
+            for x_, i in zip(middle[there], piece[there].tolist(), strict=True)
+            for section in pieces[i].sections[tube : tube + 1]
+            if section is not None
+        ]
+        yield Weights(x, share, np.repeat(weights, count), tube)
+
+
 def axial_problem(
     scene: Scene,
     foundation: Foundation,
     under: Footing | None,
+    pieces: Sequence[Stretch],
     field: Field,
     soil: Soil,
     meeting: Sequence[Contact],
@@ -275,4 +310,6 @@ def axial_problem(
     rubbing = [c for c in meeting if c.friction]
     points += [c.points(field.edges, field.degree + 1, along=True) for c in rubbing]
     collect = Collector(scene, foundation, under, None, field)
-    return Problem(System(field, 1, points, *collect.holds()), *collect.loads())
+    weights = heavy(scene, foundation, pieces, field) if scene.numerics.weight else ()
+    system = System(field, 1, points, *collect.holds())
+    return Problem(system, *collect.loads(), tuple(weights))

@@ -113,7 +113,7 @@ def isotropic(scene: Scene, foundation: Foundation) -> bool:
 def needs(scene: Scene, foundation: Foundation) -> Needs:
     """Decide on the model of one foundation."""
     numerics = scene.numerics
-    driven = axially_driven(scene, foundation)
+    driven = numerics.weight or axially_driven(scene, foundation)
     held = "t-z along the shaft and Q-z at the tip", "curves of the deck"
     if not numerics.axial_curves:
         held = "supports alone along z", "t-z and Q-z curves are left out (*MODEL TZ=OFF)"
@@ -124,6 +124,7 @@ def needs(scene: Scene, foundation: Foundation) -> Needs:
         *((Decision("P-delta", "asked"),) if numerics.second_order else ()),
         *((Decision("small displacements", "asked"),) if numerics.second_order is False else ()),
         *((Decision("shear", "asked"),) if numerics.shear else ()),
+        *((Decision("own weight", "asked"),) if numerics.weight else ()),
     )
 
     def made(lateral_axis: float | None, components: int, lateral: Decision) -> Needs:

@@ -91,6 +91,8 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
         return Solved(model, tuple(begun), nothing, None, accuracy, interrupted=True)
     for _ in range(_ROUNDS):
         states, failure, interrupted = run(model, factors, limits(scene))
+        if not states:  # the tubes do not bear their own weight
+            return Solved(model, (), (unestimated(0),) * 2, failure, accuracy, interrupted)
         parts, found, stopped = estimated(scene, model, states)
         interrupted = interrupted or stopped
         one = Solved(model, tuple(states), found, failure, accuracy, interrupted)
@@ -151,6 +153,8 @@ def suited_model(scene: Scene, foundation: Foundation) -> tuple[Model, list[Stat
     states, failure, interrupted = run(model, factors_of(scene), limits(scene))
     if interrupted:
         return model, states
+    if not states:
+        return model, []
     found = results_of(model, states)
     decision = on_normal_force(found, scene.numerics.accuracy, complete=failure is None)
     if decision is None:

@@ -64,7 +64,7 @@ class NoEquilibrium(Exception):
 
 
 def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
-    """Yield the state of every step, step 0 without load first.
+    """Yield the state of every step, step 0 without load but the tubes' own weight first.
 
     factors: shape (steps, names), those of steps 1 to n. Raises NoEquilibrium, after the states
     that were found, where a step fails even in its smallest parts.
@@ -75,7 +75,7 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
     ]
     before = np.zeros(factors.shape[1])
     alike = same_increment(factors)
-    yield State(0, before, lateral.q, axial.q, 0, 0, 0.0, 1.0, 0.0)
+    yield at_rest(axial, before, lateral.q)
     for step, after in enumerate(factors, start=1):
         if not alike[step - 1]:
             for track in tracks:
@@ -111,6 +111,21 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
             lateral.problem.system.softening,
         )
         before = after
+
+
+def at_rest(axial: Track, factors: Array, lateral: Array) -> State:
+    """The state before loading; raises NoEquilibrium where the tubes do not bear their weight."""
+    made = axial.advance(factors, factors)
+    if made.outcome.ending is not Ending.CONVERGED:
+        ending = made.outcome.ending
+        raise NoEquilibrium(Failure(0, 0.0, factors, "axial", ending, lateral, axial.q))
+    work = made.work
+    residual = made.outcome.residual
+    axial.increment = None
+    return State(
+        *(0, factors, lateral, axial.q, work.iterations, work.evaluations, residual, 1.0),
+        axial.energy,
+    )
 
 
 def advance_stretch(axial: Track, before: Array, after: Array) -> Advance:
