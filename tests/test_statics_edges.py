@@ -120,7 +120,7 @@ def test_the_moment_estimates_are_those_of_the_reported_moment(elements: int) ->
     against elements of degree 7, in the last step; below 1e-9 errors are as good as none."""
     scene = reference_pile(numerics=Numerics(elements=elements))
     found = solved(scene)
-    exact = solved(replace(scene, numerics=Numerics(elements=90, degree=7))).results
+    exact = solved(reference_pile(numerics=Numerics(elements=90, degree=7))).results
     x = np.linspace(-10.0, 40.0, 5001)
 
     def moments(results: Results) -> np.ndarray:
