@@ -2,7 +2,7 @@
 
     python tests/bench/accuracy_table.py [--csv | --short] [WORD ...]
 
-For each case and accuracy: elements, true errors of the largest displacement, reaction and moment
+--short prints a line for each family of cases. For each case and accuracy: elements, true errors of the largest displacement, reaction and moment
 (normal force where there is no other), the estimates that the run stores, and what misses a bar:
 errors at most 2 times the accuracy, estimates within a factor of 10 of the errors, below 1e-9
 counted as 1e-9. Then the converged solution against the case's oracle. WORDs choose cases.
@@ -13,6 +13,7 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import groupby
 from pathlib import Path
 from textwrap import wrap
 
@@ -29,7 +30,7 @@ from static_cases import Deviations, StaticCase
 
 GRID = 1e-7  # accuracy of what is read between the depths of the converged database
 HEAD = f"{'':21} el.  {'displacement':>17} {'reaction':>17} {'moment':>17}"
-SHORT = f"{'case':<32}{'elements':>17}  {'error':>7}  {'estimate':>11}  {'oracle':>7}"
+SHORT = f"{'cases':<16}{'':>4}{'elements':>20}{'error':>10}{'estimate':>16}{'oracle':>10}"
 
 
 @dataclass(frozen=True)
@@ -90,15 +91,18 @@ def told(row: Row) -> str:
     return "\n".join(lines)
 
 
-def shortly(row: Row) -> str:
-    """A case in one line: elements, error over accuracy, estimate over error, oracle over bar."""
-    elements = " ".join(f"{one.elements:3d}" for one in row.accuracies)
-    ratios = np.array([one.ratios for one in row.accuracies])
-    excess = max(one.excess for one in row.accuracies)
-    oracle = max((d.found / d.asked for d in row.oracle), default=np.nan)
-    beside = f"{oracle:7.2g}" if row.oracle else f"{'none':>7}"
-    spread = f"{ratios.min():.2g} to {ratios.max():.2g}"
-    return f"{row.name:<32}{elements:>17}  {excess:7.1g}  {spread:>11}  {beside}"
+def shortly(family: str, rows: list[Row]) -> str:
+    """Cases of one family in a line: how many, most elements at each accuracy, largest error over
+    its accuracy, estimates over errors, largest distance from an oracle over its bar."""
+    elements = [max(counts) for counts in zip(*([m.elements for m in r.accuracies] for r in rows))]  # noqa: B905
+    every = [m for row in rows for m in row.accuracies]
+    ratios = np.array([m.ratios for m in every])
+    excess = max(m.excess for m in every)
+    oracle = [d.found / d.asked for row in rows for d in row.oracle]
+    beside = f"{max(oracle):.2g}" if oracle else "none"
+    counts = " ".join(f"{n:d}" for n in elements)
+    spread = f"{ratios.min():.2f} to {ratios.max():.2f}"
+    return f"{family:<16}{len(rows):>4}{counts:>20}{excess:10.2g}{spread:>16}{beside:>10}"
 
 
 def as_csv(row: Row) -> str:
@@ -127,12 +131,15 @@ def main() -> None:
     ways.add_argument("--short", action="store_true")
     parser.add_argument("words", nargs="*")
     asked = parser.parse_args()
-    head, line = (CSV, as_csv) if asked.csv else (SHORT, shortly) if asked.short else (HEAD, told)
-    print(head)
-    found = []
+    print(CSV if asked.csv else SHORT if asked.short else HEAD)
+    found: list[Row] = []
     for row in table(asked.words):
         found.append(row)
-        print(line(row), flush=True)
+        if not asked.short:
+            print(as_csv(row) if asked.csv else told(row), flush=True)
+    if asked.short:
+        for family, rows in groupby(found, key=lambda row: row.name.split()[0]):
+            print(shortly(family, list(rows)))
     if not asked.csv:
         ratios = np.array([[one.ratios for one in row.accuracies] for row in found])
         excess = max(one.excess for row in found for one in row.accuracies)

@@ -170,9 +170,16 @@ VARIABLES: tuple[Variable, ...] = (
     Variable("tip_force", ("axis",), "N", "soil reaction on the tip", "positive upward on the tip"),
     *(_extreme(v, which) for v in _PROFILE if v.name in QUANTITIES for which in EXTREMES),
     Variable(
-        "displacement", ("axis",), "1", "error of the displacement", _RELATIVE, group="estimate"
+        "displacement",
+        ("axis",),
+        "1",
+        "error of the largest displacement",
+        _RELATIVE,
+        group="estimate",
     ),
-    Variable("reaction", ("axis",), "1", "error of the reaction", _RELATIVE, group="estimate"),
+    Variable(
+        "reaction", ("axis",), "1", "error of the largest reaction", _RELATIVE, group="estimate"
+    ),
     Variable("moment", ("axis",), "1", "error of the largest moment", _RELATIVE, group="estimate"),
     Variable("iterations", ("axis",), "1", "iterations", group="convergence", number="integer"),
     Variable(
