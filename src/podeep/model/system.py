@@ -11,6 +11,7 @@ import itertools
 from collections.abc import Sequence
 from copy import copy
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
@@ -205,14 +206,21 @@ class System:
         leader = points.follows
         return own if leader is None else own * self.points[leader].reaction.capacity
 
+    @cached_property
+    def _together(self) -> Reaction | None:
+        """All reactions as one; None where one follows another or changes with the step."""
+        if any(p.compressed or p.follows is not None for p in self.points):
+            return None
+        return Reaction.joined([p.reaction for p in self.points])
+
     def react(self, u: Array) -> tuple[Array, Array]:
         """Reaction and modulus at signed displacements or distances u, shape (..., points).
 
         The modulus of a reaction that follows another one leaves out how that one changes: the
         tangent stays symmetric, and the iteration converges all the same, if less fast.
         """
-        if len(self.points) == 1:
-            return self.points[0].reaction.evaluate(u)
+        if self._together is not None:
+            return self._together.evaluate(u)
         force, modulus = np.empty_like(u), np.empty_like(u)
         for at, point in zip(self._slices, self.points, strict=True):
             force[..., at], modulus[..., at] = point.reaction.evaluate(u[..., at])
@@ -226,18 +234,18 @@ class System:
         """Internal forces at q; what the tangent needs there is kept for `solve`."""
         count = self._count
         if self.components == 1:
-            seen = self._observe @ q
+            seen = self._observe.dot(q)
             u = distance = seen[:count].copy()
             force, modulus = self.react(distance)
             seen[:count] = force
         else:
-            seen = self._observe @ q.reshape(-1, 2)
+            seen = self._observe.dot(q.reshape(-1, 2))
             u = seen[:count].copy()
             distance = np.hypot(u[:, 0], u[:, 1])
             force, modulus = self.react(distance)
             seen[:count] *= secant(force, distance, modulus)[:, None]
         self._state = (u, distance, force, modulus)
-        inner: Array = (self._balance @ seen).ravel()
+        inner = self._balance.dot(seen).ravel()
         if self._sprung:
             inner += self._springs * q
         return inner
