@@ -25,6 +25,9 @@ from ..soil.reaction import Reaction
 from .compression import compression
 
 _FAR = 0.1  # displacement at which any soil is taken to have its capacity, m: for directions alone
+_FIRST = 1e-3  # displacement whose secants take a state from rest, m
+_STEEP = 100.0  # times these secants from which the tangent at rest counts as infinite
+_NOTHING = 1e-30  # least distance of two components, m: there the secant is the tangent
 _DENSE = 40_000  # entries below which a dense product beats a sparse one (call overhead)
 
 
@@ -94,6 +97,7 @@ class System:
         capacity = [self._capacity(p) for p in points] or [none]
         self._capacity_moduli = np.nan_to_num(np.concatenate(capacity), posinf=0.0) / _FAR
         self.softening = 1.0
+        self._at: Array | None = None
         self._sprung, self._springs = bool(springs), np.zeros(self.size)
         np.add.at(self._springs, [s.dof for s in springs], [s.stiffness for s in springs])
         soft = [s for s in springs if s.softens]
@@ -176,7 +180,7 @@ class System:
 
     def stable(self) -> bool:
         """Whether the tangent at the last `internal` is positive definite."""
-        _, _, _, modulus = self._state
+        modulus = self._state[3]
         return self._solve(modulus, np.zeros(self.size)) is not None
 
     def outer_forces(self, q: Array, load: Array) -> Array:
@@ -232,7 +236,7 @@ class System:
 
     def internal(self, q: Array) -> Array:
         """Internal forces at q; what the tangent needs there is kept for `solve`."""
-        count = self._count
+        count, across = self._count, None
         if self.components == 1:
             seen = self._observe.dot(q)
             u = distance = seen[:count].copy()
@@ -242,9 +246,11 @@ class System:
             seen = self._observe.dot(q.reshape(-1, 2))
             u = seen[:count].copy()
             distance = np.hypot(u[:, 0], u[:, 1])
+            np.maximum(distance, _NOTHING, out=distance)
             force, modulus = self.react(distance)
-            seen[:count] *= secant(force, distance, modulus)[:, None]
-        self._state = (u, distance, force, modulus)
+            across = force / distance
+            seen[:count] *= across[:, None]
+        self._at, self._state = q, (u, distance, force, modulus, across)
         inner = self._balance.dot(seen).ravel()
         if self._sprung:
             inner += self._springs * q
@@ -258,7 +264,7 @@ class System:
         that has to close): the energy still falls along the answer, and the residual that decides
         on equilibrium stays the exact one.
         """
-        _, _, _, modulus = self._state
+        modulus = self._state[3]
         x = self._solve(modulus, right)
         if x is None:
             x = self._solve(np.maximum(modulus, 0.0), right)
@@ -270,19 +276,35 @@ class System:
 
     def solve_by_secants(self, right: Array) -> Array | None:
         """Solve with the secant moduli at the last `internal`; None for a mechanism."""
-        _, distance, force, modulus = self._state
+        _, distance, force, modulus, _ = self._state
         secants = secant(force, distance, modulus)
         return self._solve(secants, right, across=secants)
 
     def restrained(self) -> bool:
         """Whether soil and holds carry any small load, wherever the soil has some capacity."""
         moduli = self._capacity_moduli
-        self._state = (
-            np.zeros((self._count, self.components)),
-            *np.zeros((2, self._count)),
-            moduli,
-        )
         return self._solve(moduli, np.zeros(self.size), across=moduli) is not None
+
+    def leave_rest(self, load: Array) -> Array | None:
+        """Unknowns on the way from rest to a load; None where the tangent at rest is a better one.
+
+        A cube root's infinite slope at rest would let the first steps of an iteration move next to
+        nothing. Secants at a millimetre take its place, if the soil moves so far at all.
+        """
+        force, modulus = self.react(np.outer((0.0, _FIRST), np.ones(self._count)))
+        secants = force[1] / _FIRST
+        if not (modulus[0] > _STEEP * np.abs(secants)).any():
+            return None
+        q = self._solve(secants, load, across=secants)
+        if q is None or np.abs(self.displacement(q)).max() < 0.1 * _FIRST:
+            return None
+        return q
+
+    def follow(self, q: Array, change: Array) -> Array | None:
+        """Move of the unknowns, from an equilibrium q, that a small change of the load asks for."""
+        if self._at is not q:
+            self.internal(q)
+        return self.solve(change)
 
     def _solve(self, modulus: Array, right: Array, across: Array | None = None) -> Array | None:
         """Solve with moduli along the displacement, and across it (None: the exact secants)."""
@@ -297,17 +319,25 @@ class System:
 
     def _vector_moduli(self, along: Array, across: Array | None) -> Array:
         """xx, yy and xy moduli, one after the other, of a reaction along the displacement."""
-        u, distance, force, modulus = self._state
+        count = self._count
+        moduli = np.zeros((3, count))
+        if across is along:
+            moduli[:2] = across
+            return moduli.ravel()
+        u, distance, _, _, exact = self._state
         if across is None:
-            across = secant(force, distance, modulus)
-        direction = np.divide(u, distance[:, None], out=np.zeros_like(u), where=u != 0.0)
-        more = (along - across)[:, None] * direction
-        count = len(distance)
-        moduli = np.empty(3 * count)
-        moduli[:count] = across + more[:, 0] * direction[:, 0]
-        moduli[count : 2 * count] = across + more[:, 1] * direction[:, 1]
-        moduli[2 * count :] = more[:, 0] * direction[:, 1]
-        return moduli
+            across = exact
+        share = along - across
+        share /= distance
+        share /= distance
+        x, y = u.T
+        np.multiply(share, y, out=moduli[2])
+        np.multiply(moduli[2], y, out=moduli[1])
+        moduli[2] *= x
+        share *= x
+        np.multiply(share, x, out=moduli[0])
+        moduli[:2] += across
+        return moduli.ravel()
 
 
 def _compact(matrix: sparse.csr_array) -> sparse.csr_array | Array:

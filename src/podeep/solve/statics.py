@@ -78,15 +78,15 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
     for step, after in enumerate(factors, start=1):
         if not alike[step - 1]:
             for track in tracks:
-                track.increment = None
-        start = replace(axial), replace(lateral)
+                track.increment = track.tangent = None
+        start = (replace(axial), replace(lateral)) if model.footing else None
         made = [advance_stretch(axial, before, after)]
         if made[0].outcome.ending is Ending.CONVERGED:
             made.append(advance_deflection(model, lateral, axial, before, after))
         last = made[-1]
         if last.outcome.ending is not Ending.CONVERGED:
             reached = last.reached
-            if last.outcome.ending is Ending.YIELDED:
+            if start and last.outcome.ending is Ending.YIELDED:
                 reached, axial, lateral = largest_part(model, *start, before, after)
             which: Literal["lateral", "axial"] = "lateral" if len(made) == 2 else "axial"
             at = before + reached * (after - before)
