@@ -199,7 +199,8 @@ def growth() -> None:
         repeats = max(1, min(15, 3000 // n))
         steps = statistics.median(cpu(steps_of(mesh)) for _ in range(repeats))
         whole = statistics.median(
-            cpu(lambda: solve(scene, scene.foundations[0])) for _ in range(repeats)  # noqa: B023
+            cpu(lambda: solve(scene, scene.foundations[0]))
+            for _ in range(repeats)  # noqa: B023
         )
         line = f"{n:8d}  {1e3 * steps:10.2f}  {1e3 * whole:33.1f}"
         if last:

@@ -5,6 +5,11 @@ from scipy import sparse
 
 from ..arrays import Array, Index
 
+try:  # a private name of SciPy, which spares a call what its public product spends on checks
+    from scipy.sparse._sparsetools import csr_matvec as _csr_matvec
+except ImportError:
+    _csr_matvec = None
+
 
 def band_place(rows: Index, columns: Index, width: int) -> Index:
     """Position of the entry (row, column), row >= column, in Fortran-order band storage.
@@ -41,3 +46,12 @@ def scatter_matrix(
     """Sparse matrix that spreads one number a point over the band; duplicates are summed."""
     entries = sparse.coo_array((values.ravel(), (place.ravel(), source.ravel())), shape=shape)
     return sparse.csr_array(entries)
+
+
+def add_product(matrix: sparse.csr_array, x: Array, total: Array) -> None:
+    """Add matrix @ x to a total, in place."""
+    if _csr_matvec is None:
+        total += matrix @ x
+    else:
+        rows, columns = matrix.shape
+        _csr_matvec(rows, columns, matrix.indptr, matrix.indices, matrix.data, x, total)

@@ -51,11 +51,11 @@ class Problem:
 
     def load(self, factors: Array) -> Array:
         """Force vector of a step; factors has shape (names,) or (steps, names)."""
-        return np.asarray(factors @ self.forces)
+        return np.asarray(factors.dot(self.forces))
 
     def prescribed(self, factors: Array) -> Array:
         """Values of the held unknowns in a step, zero elsewhere."""
-        return np.asarray(factors @ self.imposed)
+        return np.asarray(factors.dot(self.imposed))
 
 
 @dataclass(frozen=True)

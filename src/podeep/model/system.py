@@ -19,7 +19,7 @@ from scipy import sparse
 from scipy.linalg import lapack
 
 from ..arrays import Array, Index
-from ..beam.band import band_place, bandwidth, pairs, scatter, scatter_matrix
+from ..beam.band import add_product, band_place, bandwidth, pairs, scatter, scatter_matrix
 from ..beam.field import Field, Motion
 from ..soil.reaction import Reaction
 from .compression import compression
@@ -127,7 +127,7 @@ class System:
         held_place = np.asarray(self.held) * self.width
         linear[held_place] = 1.0
         self._linear = linear
-        self._spread = _compact(self._spreading(shape, keep, storage))
+        self._spread = self._spreading(shape, keep, storage)
 
     def _kept(self, free: npt.NDArray[np.bool_]) -> Array:
         """1 where row and column of a stored entry are both free, 0 elsewhere."""
@@ -236,7 +236,8 @@ class System:
 
     def internal(self, q: Array) -> Array:
         """Internal forces at q; what the tangent needs there is kept for `solve`."""
-        count, across = self._count, None
+        count = self._count
+        across: Array | None = None
         if self.components == 1:
             seen = self._observe.dot(q)
             u = distance = seen[:count].copy()
@@ -310,8 +311,8 @@ class System:
         """Solve with moduli along the displacement, and across it (None: the exact secants)."""
         if self.components == 2:
             modulus = self._vector_moduli(modulus, across)
-        band = self._spread @ modulus
-        band += self._linear
+        band = self._linear.copy()
+        add_product(self._spread, modulus, band)
         _, x, info = lapack.dpbsv(
             band.reshape((self.width, self.size), order="F"), right, lower=1, overwrite_ab=1
         )
@@ -319,24 +320,27 @@ class System:
 
     def _vector_moduli(self, along: Array, across: Array | None) -> Array:
         """xx, yy and xy moduli, one after the other, of a reaction along the displacement."""
-        count = self._count
-        moduli = np.zeros((3, count))
+        moduli = np.empty((3, self._count))
         if across is along:
             moduli[:2] = across
+            moduli[2] = 0.0
             return moduli.ravel()
         u, distance, _, _, exact = self._state
         if across is None:
+            assert exact is not None
             across = exact
         share = along - across
         share /= distance
         share /= distance
         x, y = u.T
-        np.multiply(share, y, out=moduli[2])
-        np.multiply(moduli[2], y, out=moduli[1])
-        moduli[2] *= x
-        share *= x
-        np.multiply(share, x, out=moduli[0])
-        moduli[:2] += across
+        xx, yy, xy = moduli
+        np.multiply(share, x, out=xx)
+        np.multiply(xx, y, out=xy)
+        xx *= x
+        share *= y
+        np.multiply(share, y, out=yy)
+        xx += across
+        yy += across
         return moduli.ravel()
 
 

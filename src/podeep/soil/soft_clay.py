@@ -7,6 +7,7 @@ from types import MappingProxyType
 from typing import ClassVar
 
 import numpy as np
+from scipy.linalg import blas
 
 from ..arrays import Array
 from ..errors import InvalidData
@@ -57,7 +58,7 @@ class _CubeRoot:
         stiffness *= secant
         secant *= u
         squares, first = self._plateau
-        if np.maximum.reduce(square, axis=None, initial=0.0) >= first:
+        if square.size and square.flat[blas.idamax(square.ravel())] >= first:
             beyond = square >= squares
             np.copysign(self.level, u, out=secant, where=beyond)
             stiffness[beyond] = 0.0

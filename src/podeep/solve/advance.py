@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass, replace
 
+from scipy.linalg import blas
+
 from ..arrays import Array
 from ..model.assemble import Problem
 from .newton import NO_SCALE, Ending, Limits, Outcome, Scale, Work, largest, newton
@@ -106,7 +108,7 @@ class Track:
 
     def _accept(self, outcome: Outcome) -> None:
         move = outcome.q - self.q
-        self.energy += 0.5 * float((outcome.internal + self.internal) @ move)
+        self.energy += 0.5 * blas.ddot(outcome.internal + self.internal, move)
         self.q, self.internal, self.increment = outcome.q, outcome.internal, move
         self.scale = Scale(
             max(self.scale.force, largest(outcome.internal)),
