@@ -23,7 +23,7 @@ soil.spudcan_yield
 beam.__init__ beam.shapes beam.field beam.band
 model.__init__ model.needs model.mesh model.compression model.system model.footing model.assemble
 model.recover model.results model.effects model.grid
-solve.__init__ solve.newton solve.advance solve.yielding solve.statics solve.accuracy
+solve.__init__ solve.newton solve.advance solve.yielding solve.statics solve.together solve.accuracy
 solve.analysis solve.diagnosis
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read

@@ -28,6 +28,7 @@ import openseespy.opensees as ops
 path.insert(0, str(Path(__file__).parent))
 path.insert(0, str(Path(__file__).parents[1]))
 from opensees_pile import EMBEDDED, FREE, STEPS, TOLERANCE, build_opensees, meshes, opensees_values
+
 from podeep.model.assemble import Model
 from podeep.model.results import Results
 from podeep.scene import Numerics, Scene
@@ -80,6 +81,12 @@ def steps_of(mesh: Mesh) -> Body:
     model, scene = model_of(mesh), scene_of(mesh)
     limit, factors = replace(limits(scene), residual=TOLERANCE), factors_of(scene)
     return lambda: run(model, factors, limit)
+
+
+def whole_of(mesh: Mesh) -> Body:
+    """All that it takes: building, steps, estimate of the error."""
+    scene = scene_of(mesh)
+    return lambda: solve(scene, scene.foundations[0])
 
 
 @cache
@@ -195,13 +202,8 @@ def growth() -> None:
     last: tuple[float, float] | None = None
     for n in SIZES:
         mesh = Mesh(1, n, 5)
-        scene = scene_of(mesh)
-        repeats = max(1, min(15, 3000 // n))
-        steps = statistics.median(cpu(steps_of(mesh)) for _ in range(repeats))
-        whole = statistics.median(
-            cpu(lambda: solve(scene, scene.foundations[0]))
-            for _ in range(repeats)  # noqa: B023
-        )
+        repeats = max(3, min(15, 3000 // n))
+        steps, whole = in_turns((steps_of(mesh), whole_of(mesh)), repeats)
         line = f"{n:8d}  {1e3 * steps:10.2f}  {1e3 * whole:33.1f}"
         if last:
             base = np.log(n / SIZES[SIZES.index(n) - 1])

@@ -8,7 +8,7 @@ from ..arrays import Array, Index
 try:  # a private name of SciPy, which spares a call what its public product spends on checks
     from scipy.sparse._sparsetools import csr_matvec as _csr_matvec
 except ImportError:
-    _csr_matvec = None
+    _csr_matvec = None  # type: ignore[assignment]  # the public product is used
 
 
 def band_place(rows: Index, columns: Index, width: int) -> Index:

@@ -176,6 +176,9 @@ class Field:
         slope of a tube rigid in shear; the last two in half elements.
         """
         count = len(self.lengths)
+        if self.mixture is None:  # all elements are alike
+            one = shape_functions(xi, self.continuity, self.degree, int(motion != "value"))
+            return np.broadcast_to(one[:, : self.nodal], (count, len(xi), self.nodal))
         element, points = np.repeat(np.arange(count), len(xi)), np.tile(xi, count)
         if motion == "rotation":
             values = self._turned(points, element, 0)

@@ -20,7 +20,8 @@ def axial_ends(model: Model, axial: Array) -> EndForces:
     shaft = system.points[0]
     if model.reactions == "lumped":  # springs at the ends of an element are no load inside it
         return end_forces(system.field, axial, np.zeros((*axial.shape[:-1], 0)), np.zeros(0, int))
-    u = product(axial, system.field.interpolation(shaft.x))
+    states = axial.reshape(-1, axial.shape[-1])
+    u = system.motions(states)[:, 0, : len(shaft.x)].reshape(*axial.shape[:-1], -1)
     soil = shaft.reaction.evaluate(u)[0]
     return end_forces(system.field, axial, soil, embedded(system.field))
 
@@ -69,15 +70,7 @@ class Results:
 
     def lateral_reaction(self, x: Array) -> Array:
         """Soil reaction by component at embedded depths, shape (steps, components, len(x)), N/m."""
-        return self._react(self.deflection(x), self.model.profile.lateral(x, self.diameter(x)))
-
-    def _react(self, u: Array, reaction: Reaction) -> Array:
-        """Reaction by component to motions u, shape (steps, components, n)."""
-        if self.model.needs.components == 1:
-            return reaction.evaluate(u[:, 0])[0][:, None]
-        distance = np.hypot(u[:, 0], u[:, 1])
-        force, modulus = reaction.evaluate(distance)
-        return np.asarray(secant(force, distance, modulus)[:, None] * u)
+        return reacted(self.deflection(x), self.model.profile.lateral(x, self.diameter(x)))
 
     def axial_reaction(self, x: Array) -> Array:
         """Shaft reaction at embedded depths, shape (steps, len(x)), N/m."""
@@ -99,12 +92,14 @@ class Results:
         system = self.model.lateral.system
         wet = embedded(system.field)
         found: list[Array] = []
+        felt, end = system.motions(self.lateral), 0
         for points in system.points:
-            u = product(self._components(), system.field.motion(points.x, points.motion))
+            first, end = end, end + len(points.x)
+            u = felt[..., first:end]
             if points.compressed:
                 found.append(-self.compression(points.x)[:, None] * u)
                 continue
-            reaction = self._react(u, points.reaction)
+            reaction = reacted(u, points.reaction)
             if points.follows is not None:
                 reaction *= np.linalg.norm(found[points.follows], axis=1)[:, None]
             found.append(reaction)
@@ -150,6 +145,15 @@ class Results:
         """x and y parts of a lateral quantity given by component, shape (steps, n) each."""
         vector = np.einsum("scn,cd->dsn", components, self.directions)
         return vector[0], vector[1]
+
+
+def reacted(u: Array, reaction: Reaction) -> Array:
+    """Reaction by component to motions u of one component or two, shape (steps, components, n)."""
+    if u.shape[1] == 1:
+        return reaction.evaluate(u[:, 0])[0][:, None]
+    distance = np.hypot(u[:, 0], u[:, 1])
+    force, modulus = reaction.evaluate(distance)
+    return np.asarray(secant(force, distance, modulus)[:, None] * u)
 
 
 def embedded(field: Field) -> Index:

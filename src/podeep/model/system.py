@@ -252,7 +252,7 @@ class System:
             across = force / distance
             seen[:count] *= across[:, None]
         self._at, self._state = q, (u, distance, force, modulus, across)
-        inner = self._balance.dot(seen).ravel()
+        inner: Array = self._balance.dot(seen).ravel()
         if self._sprung:
             inner += self._springs * q
         return inner
@@ -285,6 +285,42 @@ class System:
         """Whether soil and holds carry any small load, wherever the soil has some capacity."""
         moduli = self._capacity_moduli
         return self._solve(moduli, np.zeros(self.size), across=moduli) is not None
+
+    def motions(self, states: Array) -> Array:
+        """What all points feel of some states, (steps, size): shape (steps, components, points)."""
+        steps, m = len(states), self.components
+        columns = states.reshape(steps, -1, m).transpose(1, 0, 2).reshape(-1, steps * m)
+        seen = self._observe.dot(columns)[: self._count]
+        return np.ascontiguousarray(seen.reshape(-1, steps, m).transpose(1, 2, 0))
+
+    def internal_of_many(self, states: Array) -> tuple[Array, Array]:
+        """Internal forces of many states, shape (steps, size), and moduli for `solve_many`."""
+        steps, m, count = len(states), self.components, self._count
+        columns = states.reshape(steps, -1, m).transpose(1, 0, 2).reshape(-1, steps * m)
+        seen = self._observe.dot(columns)
+        u = np.ascontiguousarray(seen[:count].reshape(count, steps, m).transpose(1, 0, 2))
+        if m == 1:
+            force, moduli = self.react(u[..., 0])
+            seen[:count] = force.T
+        else:
+            distance = np.maximum(np.hypot(u[..., 0], u[..., 1]), _NOTHING)
+            force, modulus = self.react(distance)
+            across = force / distance
+            moduli = directed(modulus, across, u, distance)
+            seen[:count] = (u * across[..., None]).transpose(1, 0, 2).reshape(count, -1)
+        inner = self._balance.dot(seen).reshape(-1, steps, m).transpose(1, 0, 2)
+        return inner.reshape(steps, -1) + self._springs * states, moduli
+
+    def solve_many(self, moduli: Array, right: Array) -> Array | None:
+        """Solve each state with its own tangent, (steps, size); None where one has none.
+
+        States one after the other have a band as narrow as that of one.
+        """
+        steps, size = right.shape
+        bands = (self._spread @ moduli.reshape(steps, -1).T).T + self._linear
+        band = bands.ravel().reshape((self.width, steps * size), order="F")
+        _, x, info = lapack.dpbsv(band, right.ravel(), lower=1, overwrite_ab=1)
+        return x.reshape(right.shape) if info == 0 else None
 
     def leave_rest(self, load: Array) -> Array | None:
         """Unknowns on the way from rest to a load; None where the tangent at rest is a better one.
@@ -320,28 +356,34 @@ class System:
 
     def _vector_moduli(self, along: Array, across: Array | None) -> Array:
         """xx, yy and xy moduli, one after the other, of a reaction along the displacement."""
-        moduli = np.empty((3, self._count))
         if across is along:
-            moduli[:2] = across
-            moduli[2] = 0.0
-            return moduli.ravel()
+            return np.concatenate([across, across, np.zeros(self._count)])
         u, distance, _, _, exact = self._state
         if across is None:
             assert exact is not None
             across = exact
-        share = along - across
-        share /= distance
-        share /= distance
-        x, y = u.T
-        xx, yy, xy = moduli
-        np.multiply(share, x, out=xx)
-        np.multiply(xx, y, out=xy)
-        xx *= x
-        share *= y
-        np.multiply(share, y, out=yy)
-        xx += across
-        yy += across
-        return moduli.ravel()
+        return directed(along, across, u, distance).ravel()
+
+
+def directed(along: Array, across: Array, u: Array, distance: Array) -> Array:
+    """xx, yy and xy moduli, shape (..., 3, count), of moduli along displacements and across them.
+
+    along, across, distance: shape (..., count); u: (..., count, 2), of no length 0.
+    """
+    moduli = np.empty((*along.shape[:-1], 3, along.shape[-1]))
+    xx, yy, xy = moduli[..., 0, :], moduli[..., 1, :], moduli[..., 2, :]
+    share = along - across
+    share /= distance
+    share /= distance
+    x, y = u[..., 0], u[..., 1]
+    np.multiply(share, x, out=xx)
+    np.multiply(xx, y, out=xy)
+    xx *= x
+    share *= y
+    np.multiply(share, y, out=yy)
+    xx += across
+    yy += across
+    return moduli
 
 
 def _compact(matrix: sparse.csr_array) -> sparse.csr_array | Array:

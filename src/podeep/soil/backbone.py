@@ -55,7 +55,7 @@ class Polyline:
 
     @classmethod
     def joined(cls, curves: "Sequence[Polyline]") -> "Polyline":
-        """Curves at one point after the other; between a curve's own nodes the others' are added."""
+        """Curves at one point after the other, each with the nodes of all."""
         nodes = np.unique(np.concatenate([c.nodes for c in curves]))
         values, scales = [], []
         for c in curves:

@@ -15,10 +15,11 @@ from ..arrays import Array
 from ..beam.field import Field
 from ..beam.shapes import gauss_interpolation, gauss_points
 from ..model.assemble import Model, Problem
-from ..model.results import Results, compression, embedded
+from ..model.results import Results, compression, embedded, reacted
 from ..model.system import System
 from .newton import Limits, newton
 from .statics import State
+from .together import equilibria
 
 _RESIDUAL = 1e-4  # of the accuracy: how near the richer elements come to equilibrium
 _SHORTEST = 5e-5  # element over tube: shorter ones on a stiff tube are mere rounding
@@ -48,32 +49,40 @@ class Estimate:
         return np.asarray(np.max([self.displacement, self.reaction, self.moment, force], axis=0))
 
 
-def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
-    """The same state in elements of a higher degree: the added internal unknowns are zero."""
-    rows = np.zeros((fine.size, components))
-    given = q.reshape(-1, components)
+def prolong(states: Array, coarse: Field, fine: Field) -> Array:
+    """The same states, shape (steps, unknowns), in elements of a higher degree.
+
+    The internal unknowns that are added are zero.
+    """
+    steps = len(states)
+    given = states.reshape(steps, coarse.size, -1)
+    rows = np.zeros((steps, fine.size, given.shape[2]))
     head = coarse.local - coarse.nodal
-    rows[fine.dofs[:, :head]] = given[coarse.dofs[:, :head]]
-    rows[fine.dofs[:, -fine.nodal :]] = given[coarse.dofs[:, -coarse.nodal :]]
-    return rows.ravel()
+    rows[:, fine.dofs[:, :head]] = given[:, coarse.dofs[:, :head]]
+    rows[:, fine.dofs[:, -fine.nodal :]] = given[:, coarse.dofs[:, -coarse.nodal :]]
+    return rows.reshape(steps, -1)
 
 
 def _corrected(
     coarse: Problem,
     fine: Problem,
     systems: Sequence[System],
-    states: Sequence[Array],
-    factors: Array,
-    limits: Limits,
+    states: Array,
+    loads: Array,
+    limit: float,
 ) -> tuple[Array, Array]:
-    """States prolonged to the fine problem, and its own equilibria near them, by its `systems`."""
-    field, components = coarse.system.field, fine.system.components
-    before = [prolong(q, field, fine.system.field, components) for q in states]
-    after = [
-        newton(system, q, fine.load(factor), limits).q
-        for q, system, factor in zip(before, systems, factors, strict=True)
-    ]
-    return np.array(before), np.array(after)
+    """States prolonged to the fine problem, and its own equilibria near them, by its `systems`.
+
+    States of one and the same system are corrected together; what that leaves open, one by one.
+    """
+    before = prolong(states, coarse.system.field, fine.system.field)
+    if all(system is systems[0] for system in systems):
+        after, settled = equilibria(systems[0], before, loads, limit)
+    else:
+        after, settled = before.copy(), np.zeros(len(before), dtype=bool)
+    for i in np.flatnonzero(~settled).tolist():
+        after[i] = newton(systems[i], before[i], loads[i], Limits(limit)).q
+    return before, after
 
 
 def _as_in(state: State, model: Model, system: System) -> System:
@@ -114,14 +123,14 @@ def _largest(values: Array) -> Array:
     return np.asarray(np.abs(values).reshape(len(values), -1).max(axis=1, initial=0.0))
 
 
-def _outer_moments(problem: Problem, states: Sequence[State], factors: Array) -> Array:
+def _outer_moments(problem: Problem, states: Sequence[State], loads: Array) -> Array:
     """Largest moment of loads and springs on the tube in each state, N m.
 
     A tube loaded at its foot alone has moments of mere rounding: these are no scale for an error.
     """
     forces = [
-        problem.system.softened(s.softening).outer_forces(s.lateral, problem.load(factor))
-        for s, factor in zip(states, factors, strict=True)
+        problem.system.softened(s.softening).outer_forces(s.lateral, load)
+        for s, load in zip(states, loads, strict=True)
     ]
     field = problem.system.field
     slopes = np.union1d(field.dofs[:, 1], field.dofs[:, -1])
@@ -142,44 +151,63 @@ def estimate(
 
     accuracy: what is asked of them; equilibrium in the richer elements is found to a share of it.
     """
-    limits = Limits(residual=_RESIDUAL * accuracy)
+    limit = _RESIDUAL * accuracy
     factors = np.array([s.factors for s in states])
-    bent = [_as_in(s, model, richer.lateral.system) for s in states]
-    stretched = [richer.axial.system] * len(states)
-    lateral = _corrected(
-        model.lateral, richer.lateral, bent, [s.lateral for s in states], factors, limits
-    )
-    axial = _corrected(
-        model.axial, richer.axial, stretched, [s.axial for s in states], factors, limits
-    )
     reported = Results(
         model, np.array([s.lateral for s in states]), np.array([s.axial for s in states])
     )
-    old = Results(richer, lateral[0], axial[0])
+    bent = [_as_in(s, model, richer.lateral.system) for s in states]
+    stretched = [richer.axial.system] * len(states)
+    loads = richer.lateral.load(factors)
+    lateral = _corrected(model.lateral, richer.lateral, bent, reported.lateral, loads, limit)
+    axial = _corrected(
+        model.axial, richer.axial, stretched, reported.axial, richer.axial.load(factors), limit
+    )
     new = Results(richer, lateral[1], axial[1])
-    x, shaft = (model.lateral.system.points[0].x, model.axial.system.points[0].x)
-    fine_x, fine_shaft = (richer.lateral.system.points[0].x, richer.axial.system.points[0].x)
-    every = np.sort(np.concatenate([richer.edges, fine_x]))
-    pressed, held = old.lateral_reaction(fine_x), old.axial_reaction(fine_shaft)
-    field = model.lateral.system.field
-    moment = new.shear_and_moment(every)[1]
-    outer = _outer_moments(model.lateral, states, factors)
+    every = np.sort(np.concatenate([richer.edges, richer.lateral.system.points[0].x]))
+    moment, force = new.shear_and_moment(every)[1], new.compression(every)
+    outer = _outer_moments(model.lateral, states, model.lateral.load(factors))
+    least = np.maximum(_largest(moment), outer)
     return (
-        Estimate(
-            _change(new.deflection(every), old.deflection(every)),
-            _change_of_largest(new.lateral_reaction(fine_x), pressed),
-            _ratio(
-                _largest(moment - reported.shear_and_moment(every)[1]),
-                np.maximum(_largest(moment), outer),
-            ),
-            _unresolved(field, old.lateral_reaction(x), pressed),
+        _estimated(
+            (model.lateral, richer.lateral),
+            (reported.lateral, *lateral),
+            _ratio(_largest(moment - reported.shear_and_moment(every)[1]), least),
         ),
-        Estimate(
-            _change(new.settlement(every), old.settlement(every)),
-            _change_of_largest(new.axial_reaction(fine_shaft), held),
-            _change(new.compression(every), reported.compression(every)),
-            _unresolved(field, old.axial_reaction(shaft), held),
+        _estimated(
+            (model.axial, richer.axial),
+            (reported.axial, *axial),
+            _change(force, reported.compression(every)),
         ),
+    )
+
+
+def _estimated(
+    problems: tuple[Problem, Problem], states: tuple[Array, Array, Array], moment: Array
+) -> Estimate:
+    """What changes at nodes and Gauss points of a problem, coarse and fine.
+
+    states: those reported, the same in the fine elements, and corrected there.
+    """
+    coarse, fine = (problem.system for problem in problems)
+    field = fine.field
+    nodes = np.union1d(field.dofs[:, 0], field.dofs[:, -field.nodal])
+    given = coarse.motions(states[0])[..., : len(coarse.points[0].x)]
+    count = len(fine.points[0].x)
+    before, after = (fine.motions(q)[..., :count] for q in states[1:])
+    known, old, new = (
+        reacted(u, system.points[0].reaction)
+        for u, system in ((given, coarse), (before, fine), (after, fine))
+    )
+    moves = [q.reshape(len(q), field.size, -1)[:, nodes].reshape(len(q), -1) for q in states[1:]]
+    return Estimate(
+        _ratio(
+            np.maximum(_largest(moves[1] - moves[0]), _largest(after - before)),
+            np.maximum(_largest(moves[1]), _largest(after)),
+        ),
+        _change_of_largest(new, old),
+        moment,
+        _unresolved(coarse.field, known, old),
     )
 
 
