@@ -115,14 +115,14 @@ class Reaction:
         """Force and its derivative at displacements u of shape (..., n): N/m, or N at a tip."""
         packed, weight, places = self._plan
         v = u if packed is None else u.take(packed, axis=-1)
-        found = [evaluate(v[..., stretch]) for evaluate, stretch in self._pieces]
-        if len(found) == 1:
-            force, stiffness = found[0]
-        elif found:
-            force = np.concatenate([one[0] for one in found], axis=-1)
-            stiffness = np.concatenate([one[1] for one in found], axis=-1)
+        pieces = self._pieces
+        if len(pieces) == 1:
+            force, stiffness = pieces[0][0](v)
         else:
-            force, stiffness = np.zeros(v.shape), np.zeros(v.shape)
+            force, stiffness = np.empty(v.shape), np.empty(v.shape)
+            for evaluate, stretch in pieces:
+                at = stretch if v.ndim == 1 else (..., stretch)
+                force[at], stiffness[at] = evaluate(v[at])
         if weight is not None:
             force, stiffness = force * weight, stiffness * weight
         if packed is None:
@@ -131,8 +131,9 @@ class Reaction:
 
 
 def polyline(law: Law) -> Polyline | None:
-    """The straight lines that a law is, None where it is more than these."""
-    return law.polyline if isinstance(law, Drawn) else None
+    """The straight lines that a law is; None where it is more, or their nodes differ by point."""
+    lines = law.polyline if isinstance(law, Drawn) else None
+    return lines if type(lines) is Polyline else None
 
 
 def _unpacked(packed: Array, places: list[Index]) -> Array:

@@ -80,28 +80,27 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
             for track in tracks:
                 track.increment = track.tangent = None
         start = (replace(axial), replace(lateral)) if model.footing else None
-        made = [advance_stretch(axial, before, after)]
-        if made[0].outcome.ending is Ending.CONVERGED:
-            made.append(advance_deflection(model, lateral, axial, before, after))
-        last = made[-1]
-        if last.outcome.ending is not Ending.CONVERGED:
-            reached = last.reached
-            if start and last.outcome.ending is Ending.YIELDED:
+        stretched = bent = advance_stretch(axial, before, after)
+        if stretched.outcome.ending is Ending.CONVERGED:
+            bent = advance_deflection(model, lateral, axial, before, after)
+        ending = bent.outcome.ending
+        if ending is not Ending.CONVERGED:
+            reached = bent.reached
+            if start and ending is Ending.YIELDED:
                 reached, axial, lateral = largest_part(model, *start, before, after)
-            which: Literal["lateral", "axial"] = "lateral" if len(made) == 2 else "axial"
+            which: Literal["lateral", "axial"] = "axial" if bent is stretched else "lateral"
             at = before + reached * (after - before)
             kept = lateral.problem.system.softening
-            ending = last.outcome.ending
             raise NoEquilibrium(Failure(step, reached, at, which, ending, lateral.q, axial.q, kept))
         yield State(
             step,
             after,
             lateral.q,
             axial.q,
-            sum(m.work.iterations for m in made),
-            sum(m.work.evaluations for m in made),
-            max(m.outcome.residual for m in made),
-            min(m.smallest for m in made),
+            stretched.work.iterations + bent.work.iterations,
+            stretched.work.evaluations + bent.work.evaluations,
+            max(stretched.outcome.residual, bent.outcome.residual),
+            min(stretched.smallest, bent.smallest),
             lateral.energy + axial.energy,
             lateral.problem.system.softening,
         )
