@@ -10,13 +10,15 @@ from sys import path
 import numpy as np
 import openseespy.opensees as ops
 
+path.insert(0, str(Path(__file__).parent))
 path.insert(0, str(Path(__file__).parents[1]))
+from our_pile import EMBEDDED, FREE, STEPS, TOLERANCE
+
 from podeep.soil.profile import Profile
 from podeep.soil.reaction import Reaction
 from scenes import reference_pile
 
-STEPS, FREE, EMBEDDED, DIAMETER = 10, 10.0, 40.0, 2.0
-TOLERANCE = 1e-7  # of the residual over the load; less stalls on rounding
+DIAMETER = 2.0
 EVERY = 8  # embedded elements from one mesh to the next: a node stands on the layer boundary
 _MOST = 1000  # embedded elements
 
