@@ -77,6 +77,12 @@ def shape_functions(xi: Array, continuity: int, degree: int, derivative: int = 0
     return np.asarray(polyval(xi, _coefficients(continuity, degree, derivative)).T)
 
 
+@lru_cache(maxsize=64)
+def functions_at_gauss_points(continuity: int, degree: int, derivative: int, count: int) -> Array:
+    """Values of `shape_functions` at the Gauss points, shape (count, functions)."""
+    return shape_functions(gauss_points(count)[0], continuity, degree, derivative)
+
+
 @lru_cache(maxsize=16)
 def gauss_points(count: int) -> tuple[Array, Array]:
     """Gauss-Legendre points on (-1, 1) and their weights, each of shape (count,)."""

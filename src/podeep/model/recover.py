@@ -61,14 +61,14 @@ def end_forces(
         couples.append((by_element(swaying, every), "slope"))
     rows = range(field.nodal)
     local = field.element_stiffness[:, rows, :]
-    nodal = np.einsum("eij,...ej->...ei", local, q[..., field.dofs])
+    nodal = (local @ q[..., field.dofs][..., None])[..., 0]
     if count:
-        xi, weight = gauss_points(count)
+        weight = gauss_points(count)[1]
         half = 0.5 * field.lengths[:, None]
         for values, motion in [(spread, "value"), *couples]:
-            shape = field.top_functions(xi, motion) * weight[:, None]
+            shape = field.top_functions(count, motion) * weight[:, None]
             scale = field.scale[:, rows] * (half if motion == "value" else 1.0)
-            nodal += np.einsum("...eg,egi->...ei", values, shape) * scale
+            nodal += (values[..., None, :] @ shape)[..., 0, :] * scale
     moment = -nodal[..., 1] * field.slope_length if field.nodal == 2 else 0.0 * nodal[..., 0]
     couple = sum((c for c, _ in couples), start=np.zeros_like(spread)) if couples else None
     return EndForces(field, nodal[..., 0], moment, spread, couple)

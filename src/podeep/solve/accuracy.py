@@ -128,13 +128,19 @@ def _outer_moments(problem: Problem, states: Sequence[State], loads: Array) -> A
 
     A tube loaded at its foot alone has moments of mere rounding: these are no scale for an error.
     """
-    forces = [
-        problem.system.softened(s.softening).outer_forces(s.lateral, load)
-        for s, load in zip(states, loads, strict=True)
-    ]
+    system = problem.system
+    if all(s.softening == system.softening for s in states):
+        forces = system.outer_forces(np.array([s.lateral for s in states]), loads)
+    else:
+        forces = np.array(
+            [
+                system.softened(s.softening).outer_forces(s.lateral, load)
+                for s, load in zip(states, loads, strict=True)
+            ]
+        )
     field = problem.system.field
     slopes = np.union1d(field.dofs[:, 1], field.dofs[:, -1])
-    turning = np.array(forces).reshape(len(forces), field.size, -1)[:, slopes]
+    turning = forces.reshape(len(forces), field.size, -1)[:, slopes]
     return _largest(turning) * field.slope_length
 
 
