@@ -15,8 +15,8 @@ from ..model.system import System
 _CUT = 0.5  # a step is accepted when the slope of the energy fell to this share
 _SEARCHES = 40
 _REST = 1e-6  # share of the run's largest force and unknown below which a state is at rest
-_STILL = 0.1  # of the limit of the residual: share of the unknowns that a step of rounding moves
-_ROUNDING_CAP = 1e-3  # rounding may excuse a residual up to this share of the forces, never more
+STILL = 0.1  # of the limit of the residual: share of the unknowns that a step of rounding moves
+ROUNDING_CAP = 1e-3  # rounding may excuse a residual up to this share of the forces, never more
 _EPS = float(np.finfo(float).eps)
 
 
@@ -125,8 +125,8 @@ def newton(
             ending = Ending.MECHANISM
             break
         if (
-            worst <= _ROUNDING_CAP * size
-            and largest(step) <= _STILL * limits.residual * reach_of(q, scale)
+            worst <= ROUNDING_CAP * size
+            and largest(step) <= STILL * limits.residual * reach_of(q, scale)
             and worst <= rounding(system, q)
         ):
             ending = Ending.CONVERGED
@@ -154,9 +154,9 @@ def largest(x: Array) -> float:
     return abs(x.item(blas.idamax(x)))
 
 
-def rounding(system: System, q: Array) -> float:
-    """What rounding alone may leave of the residual, N."""
-    return 64.0 * _EPS * float((system.diagonal * np.abs(q)).max())
+def rounding(system: System, q: Array) -> Array:
+    """What rounding alone may leave of the residual, N; q: shape (..., size)."""
+    return np.asarray(64.0 * _EPS * (system.diagonal * np.abs(q)).max(axis=-1))
 
 
 def whole_step(

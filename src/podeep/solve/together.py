@@ -8,6 +8,7 @@ import numpy.typing as npt
 
 from ..arrays import Array
 from ..model.system import System
+from .newton import ROUNDING_CAP, STILL, rounding
 
 _ROUNDS = 4
 _AT_ONCE = 2_000_000  # stored numbers of the tangents that are solved together
@@ -39,11 +40,17 @@ def _together(
         residual = loads - internal
         residual[:, system.held] = 0.0
         worst = np.abs(residual).max(axis=1)
-        settled = worst <= limit * np.maximum(np.abs(internal).max(axis=1), forces)
+        size = np.maximum(np.abs(internal).max(axis=1), forces)
+        settled = worst <= limit * size
         if settled.all() or remaining == 0:
             break
         moves = system.solve_many(moduli, residual)
         if moves is None:
             break
+        if remaining < _ROUNDS:  # what rounding leaves cannot get smaller
+            still = np.abs(moves).max(axis=1) <= STILL * limit * np.abs(q).max(axis=1)
+            settled |= still & (worst <= np.minimum(rounding(system, q), ROUNDING_CAP * size))
+            if settled.all():
+                break
         q = q + moves
     return q, settled
