@@ -21,8 +21,8 @@ soil.layers soil.surroundings soil.kinds soil.equivalent soil.reaction soil.prof
 soil.lateral_capacity soil.axial_capacity soil.required_length soil.spudcan soil.spudcan_bearing
 soil.spudcan_yield
 beam.__init__ beam.shapes beam.field beam.band
-model.__init__ model.needs model.mesh model.compression model.system model.footing model.assemble
-model.recover model.results model.effects model.grid
+model.__init__ model.needs model.mesh model.compression model.system model.many model.footing
+model.assemble model.recover model.results model.effects model.grid
 solve.__init__ solve.newton solve.advance solve.yielding solve.statics solve.together solve.accuracy
 solve.analysis solve.diagnosis
 database.__init__ database.schema database.envelope database.layout database.target database.stream

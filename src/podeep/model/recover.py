@@ -96,3 +96,21 @@ def internal_forces(ends: EndForces, x: Array) -> tuple[Array, Array]:
             couple = ends.couple[..., element, :]
             moment = moment + half * np.einsum("...xg,xg->...x", couple, first)
     return force, moment
+
+
+def inside(ends: EndForces, xi: Array) -> tuple[Array, Array]:
+    """Force and moment as `internal_forces`, at the places xi (-1 to 1) of every element.
+
+    Shape (..., elements, len(xi)).
+    """
+    half = 0.5 * ends.field.lengths[:, None]
+    force = ends.force[..., None]
+    moment = ends.moment[..., None] + force * (half * (xi + 1.0))
+    count = ends.soil.shape[-1]
+    if count:
+        first, second = (table.T for table in gauss_integrals(xi, count))
+        moment -= (ends.soil @ second) * half**2
+        force = force - (ends.soil @ first) * half
+        if ends.couple is not None:
+            moment += (ends.couple @ first) * half
+    return np.broadcast_to(force, moment.shape), moment

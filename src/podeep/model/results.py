@@ -10,7 +10,7 @@ from ..arrays import Array, Index
 from ..beam.field import Field, Motion
 from ..soil.reaction import Reaction
 from .assemble import Model
-from .recover import EndForces, end_forces, internal_forces
+from .recover import EndForces, end_forces, inside, internal_forces
 from .system import secant
 
 
@@ -140,6 +140,17 @@ class Results:
     def compression(self, x: Array) -> Array:
         """Normal force, positive in compression, shape (steps, len(x)), N."""
         return internal_forces(self._axial_ends, x)[0]
+
+    def moment_inside(self, xi: Array) -> Array:
+        """Moment at the places xi (-1 to 1) of every element, as `shear_and_moment` gives it.
+
+        Shape (steps, components, elements, len(xi)), N m.
+        """
+        return np.stack([inside(ends, xi)[1] for ends in self._lateral_ends], axis=1)
+
+    def compression_inside(self, xi: Array) -> Array:
+        """Normal force at the places xi of every element, shape (steps, elements, len(xi)), N."""
+        return inside(self._axial_ends, xi)[0]
 
     def global_vector(self, components: Array) -> tuple[Array, Array]:
         """x and y parts of a lateral quantity given by component, shape (steps, n) each."""

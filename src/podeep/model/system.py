@@ -27,7 +27,7 @@ from .compression import compression
 _FAR = 0.1  # displacement at which any soil is taken to have its capacity, m: for directions alone
 _FIRST = 1e-3  # displacement whose secants take a state from rest, m
 _STEEP = 100.0  # times these secants from which the tangent at rest counts as infinite
-_NOTHING = 1e-30  # least distance of two components, m: there the secant is the tangent
+NOTHING = 1e-30  # least distance of two components, m: there the secant is the tangent
 _DENSE = 40_000  # entries below which a dense product beats a sparse one (call overhead)
 
 
@@ -247,7 +247,7 @@ class System:
             seen = self._observe.dot(q.reshape(-1, 2))
             u = seen[:count].copy()
             distance = np.hypot(u[:, 0], u[:, 1])
-            np.maximum(distance, _NOTHING, out=distance)
+            np.maximum(distance, NOTHING, out=distance)
             force, modulus = self.react(distance)
             across = force / distance
             seen[:count] *= across[:, None]
@@ -292,35 +292,6 @@ class System:
         columns = states.reshape(steps, -1, m).transpose(1, 0, 2).reshape(-1, steps * m)
         seen = self._observe.dot(columns)[: self._count]
         return np.ascontiguousarray(seen.reshape(-1, steps, m).transpose(1, 2, 0))
-
-    def internal_of_many(self, states: Array) -> tuple[Array, Array]:
-        """Internal forces of many states, shape (steps, size), and moduli for `solve_many`."""
-        steps, m, count = len(states), self.components, self._count
-        columns = states.reshape(steps, -1, m).transpose(1, 0, 2).reshape(-1, steps * m)
-        seen = self._observe.dot(columns)
-        u = np.ascontiguousarray(seen[:count].reshape(count, steps, m).transpose(1, 0, 2))
-        if m == 1:
-            force, moduli = self.react(u[..., 0])
-            seen[:count] = force.T
-        else:
-            distance = np.maximum(np.hypot(u[..., 0], u[..., 1]), _NOTHING)
-            force, modulus = self.react(distance)
-            across = force / distance
-            moduli = directed(modulus, across, u, distance)
-            seen[:count] = (u * across[..., None]).transpose(1, 0, 2).reshape(count, -1)
-        inner = self._balance.dot(seen).reshape(-1, steps, m).transpose(1, 0, 2)
-        return inner.reshape(steps, -1) + self._springs * states, moduli
-
-    def solve_many(self, moduli: Array, right: Array) -> Array | None:
-        """Solve each state with its own tangent, (steps, size); None where one has none.
-
-        States one after the other have a band as narrow as that of one.
-        """
-        steps, size = right.shape
-        bands = (self._spread @ moduli.reshape(steps, -1).T).T + self._linear
-        band = bands.ravel().reshape((self.width, steps * size), order="F")
-        _, x, info = lapack.dpbsv(band, right.ravel(), lower=1, overwrite_ab=1)
-        return x.reshape(right.shape) if info == 0 else None
 
     def leave_rest(self, load: Array) -> Array | None:
         """Unknowns on the way from rest to a load; None where the tangent at rest is a better one.

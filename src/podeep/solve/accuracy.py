@@ -170,20 +170,20 @@ def estimate(
         model.axial, richer.axial, stretched, reported.axial, richer.axial.load(factors), limit
     )
     new = Results(richer, lateral[1], axial[1])
-    every = np.sort(np.concatenate([richer.edges, richer.lateral.system.points[0].x]))
-    moment, force = new.shear_and_moment(every)[1], new.compression(every)
+    xi = np.concatenate([[-1.0], gauss_points(richer.lateral.system.field.degree)[0], [1.0]])
+    moment, force = new.moment_inside(xi), new.compression_inside(xi)
     outer = _outer_moments(model.lateral, states, model.lateral.load(factors))
     least = np.maximum(_largest(moment), outer)
     return (
         _estimated(
             (model.lateral, richer.lateral),
             (reported.lateral, *lateral),
-            _ratio(_largest(moment - reported.shear_and_moment(every)[1]), least),
+            _ratio(_largest(moment - reported.moment_inside(xi)), least),
         ),
         _estimated(
             (model.axial, richer.axial),
             (reported.axial, *axial),
-            _change(force, reported.compression(every)),
+            _change(force, reported.compression_inside(xi)),
         ),
     )
 

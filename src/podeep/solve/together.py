@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..arrays import Array
+from ..model.many import internal_of_many, solve_many
 from ..model.system import System
 from .newton import ROUNDING_CAP, STILL, rounding
 
@@ -36,7 +37,7 @@ def _together(
     q, settled = starts, np.zeros(len(starts), dtype=bool)
     forces = np.abs(loads).max(axis=1)
     for remaining in range(_ROUNDS, -1, -1):
-        internal, moduli = system.internal_of_many(q)
+        internal, moduli = internal_of_many(system, q)
         residual = loads - internal
         residual[:, system.held] = 0.0
         worst = np.abs(residual).max(axis=1)
@@ -44,7 +45,7 @@ def _together(
         settled = worst <= limit * size
         if settled.all() or remaining == 0:
             break
-        moves = system.solve_many(moduli, residual)
+        moves = solve_many(system, moduli, residual)
         if moves is None:
             break
         if remaining < _ROUNDS:  # what rounding leaves cannot get smaller
