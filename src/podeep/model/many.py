@@ -36,6 +36,6 @@ def solve_many(system: System, moduli: Array, right: Array) -> Array | None:
     """
     steps, size = right.shape
     bands = (system._spread @ moduli.reshape(steps, -1).T).T + system._linear
-    band = bands.ravel().reshape((system.width, steps * size), order="F")
+    band = bands.reshape(steps * size, system.width).T
     _, x, info = lapack.dpbsv(band, right.ravel(), lower=1, overwrite_ab=1)
     return x.reshape(right.shape) if info == 0 else None

@@ -173,6 +173,11 @@ class System:
         )
         return other
 
+    @cached_property
+    def compressible(self) -> bool:
+        """Whether the normal force acts on the slope."""
+        return any(p.compressed for p in self.points)
+
     @property
     def compression_points(self) -> Array:
         """Depths at which the normal force acts on the slope, m; none where it does not."""
@@ -321,7 +326,7 @@ class System:
         band = self._linear.copy()
         add_product(self._spread, modulus, band)
         _, x, info = lapack.dpbsv(
-            band.reshape((self.width, self.size), order="F"), right, lower=1, overwrite_ab=1
+            band.reshape(self.size, self.width).T, right, lower=1, overwrite_ab=1
         )
         return x if info == 0 else None
 

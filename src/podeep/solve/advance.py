@@ -104,7 +104,7 @@ class Track:
     def _buckles(self) -> bool:
         """Whether the state last evaluated is held by nothing but the accident of its balance."""
         system = self.problem.system
-        return len(system.compression_points) > 0 and not system.stable()
+        return system.compressible and not system.stable()
 
     def _accept(self, outcome: Outcome) -> None:
         move = outcome.q - self.q

@@ -119,7 +119,7 @@ def advance_deflection(
 
     The normal force bends it further, and the vertical load on a spudcan softens that.
     """
-    if len(model.lateral.system.compression_points):
+    if model.lateral.system.compressible:
         compress(model, lateral, axial.q)
     if model.footing is None:
         return lateral.advance(before, after)
@@ -158,6 +158,7 @@ def compress(model: Model, lateral: Track, axial: Array) -> None:
 
 def same_increment(factors: Array) -> list[bool]:
     """For each step whether its factors grow just as in the one before."""
-    growth = np.diff(factors, axis=0, prepend=np.zeros((1, factors.shape[1])))
-    change = np.abs(np.diff(growth, axis=0)).max(axis=1, initial=0.0)
+    growth = factors.copy()
+    growth[1:] -= factors[:-1]
+    change = np.abs(growth[1:] - growth[:-1]).max(axis=1, initial=0.0)
     return [False, *(change <= 1e-9 * np.abs(growth).max(initial=0.0)).tolist()]
