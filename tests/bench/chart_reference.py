@@ -1,6 +1,6 @@
 """The chart of the reference pile with OpenSees in it, for the manual.
 
-    pip install "podeep[bench,plot]" && python tests/bench/chart_reference.py
+    pip install "podeep[bench]" && python tests/bench/chart_reference.py
 
 Writes docs/images/reference_pile_race.png and .csv: error against CPU time of the ten steps, for
 series of meshes of both programs, planar and spatial.
