@@ -13,8 +13,9 @@ import pytest
 
 from podeep.beam.field import Field
 from podeep.model.assemble import quadrature
+from podeep.model.points import Points
 from podeep.model.recover import Spread, end_forces, internal_forces
-from podeep.model.system import Points, System
+from podeep.model.system import System
 from podeep.soil.law import Law
 from podeep.soil.reaction import Reaction, Term
 from podeep.solve.newton import Ending, Limits, newton

@@ -64,7 +64,8 @@ def test_observed_order_of_the_head():
     """Deflections of degree 5: order 6 of the head, that of the moment's balance."""
     import test_moment_springs as springs
     from podeep.model.assemble import quadrature
-    from podeep.model.system import Points, System
+    from podeep.model.points import Points
+    from podeep.model.system import System
     from podeep.solve.newton import Limits, newton
 
     exact = float(next(r["y_m"] for r in ROWS if r["case"] == "H"))

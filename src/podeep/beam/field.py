@@ -14,7 +14,7 @@ import numpy as np
 from scipy import sparse
 
 from ..arrays import Array, Index
-from .shapes import gauss_points, nodal_functions, shape_functions
+from .shapes import functions_at_gauss_points, gauss_points, nodal_functions, shape_functions
 from .strings import Strings, chain
 
 Motion = Literal["value", "slope", "rotation"]
@@ -186,20 +186,24 @@ class Field:
             shape=(len(element), self.size),
         )
 
-    def top_functions(self, xi: Array, motion: Motion) -> Array:
-        """Functions of each element's top node at xi, shape (elements, n, nodal), unscaled.
+    def top_functions(self, points: int, motion: Motion) -> Array:
+        """Functions of each element's top node at so many Gauss points, unscaled.
 
         motion: the field itself, its slope d/dxi, or the rotation of the section, which is the
-        slope of a tube rigid in shear; the last two in half elements.
+        slope of a tube rigid in shear; the last two in half elements. Shape (elements, points,
+        nodal), or (1, points, nodal) where all elements are alike.
         """
-        count = len(self.lengths)
-        element, points = np.repeat(np.arange(count), len(xi)), np.tile(xi, count)
+        derivative = int(motion != "value")
+        if self.mixture is None:
+            same = functions_at_gauss_points(self.continuity, self.degree, derivative, points)
+            return same[None, :, : self.nodal]
+        count, xi = len(self.lengths), gauss_points(points)[0]
+        element, xi = np.repeat(np.arange(count), points), np.tile(xi, count)
         if motion == "rotation":
-            values = self._turned(points, element, 0)
+            values = self._turned(xi, element, 0)
         else:
-            values = shape_functions(points, self.continuity, self.degree, int(motion == "slope"))
-        mixed = self.mixed(values, element).reshape(count, len(xi), self.local)
-        return mixed[..., : self.nodal]
+            values = shape_functions(xi, self.continuity, self.degree, derivative)
+        return self.mixed(values, element).reshape(count, points, self.local)[..., : self.nodal]
 
     def _strains(self, xi: Array) -> list[Array]:
         """Strains of the functions in use at xi in every element, by kind, unscaled.

@@ -26,7 +26,8 @@ from .footing import Footing, footing
 from .holds import Collector
 from .mesh import Stretch, stretches
 from .needs import Decision, Needs
-from .system import Points, System
+from .points import Points
+from .system import System
 from .weave import Parts, Touch, bound, lateral_links, parts, ties, touches, weave
 from .weight import Weights, unit_weight
 
@@ -66,7 +67,7 @@ class Problem:
 
     def prescribed(self, factors: Array) -> Array:
         """Values of the held unknowns in a step, zero elsewhere."""
-        return np.asarray(factors @ self.imposed)
+        return np.asarray(factors.dot(self.imposed))
 
 
 @dataclass(frozen=True)

@@ -12,8 +12,9 @@ from ..arrays import Array
 from .assemble import Model
 from .compression import compression
 from .contact import reaction
+from .points import Points
 from .results import apart, axial_ends, tube_force
-from .system import Points, System
+from .system import System
 
 
 def pressed(model: Model, axial: Array, deflection: Array, lateral: System) -> System:

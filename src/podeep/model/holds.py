@@ -9,7 +9,7 @@ from ..beam.field import Field
 from ..scene import Dof, Foundation, Scene
 from .footing import Footing
 from .needs import Needs
-from .system import Spring
+from .points import Spring
 
 # Component of the deflection that a degree of freedom moves, its derivative, and its sign there.
 _LATERAL: Mapping[Dof, tuple[int, int, float]] = {

@@ -56,12 +56,12 @@ def end_forces(field: Field, q: Array, spread: Sequence[Spread], count: int) -> 
         total[..., one.elements, :] += one.resistance.reshape(*lead, len(one.elements), count)
     nodal = field.top_forces(q)
     if count:
-        xi, weight = gauss_points(count)
+        weight = gauss_points(count)[1]
         half = 0.5 * field.lengths[:, None]
         for motion, values in whole.items():
-            functions = field.top_functions(xi, motion) * weight[:, None]
+            functions = field.top_functions(count, motion) * weight[:, None]
             scale = field.scale[:, : field.nodal] * (half if motion == "value" else 1.0)
-            nodal += np.einsum("...eg,egi->...ei", values, functions) * scale
+            nodal += (values[..., None, :] @ functions)[..., 0, :] * scale
     moment = -nodal[..., 1] * field.slope_length if field.nodal == 2 else 0.0 * nodal[..., 0]
     pressure = whole.pop("value")
     couple = sum(whole.values(), start=np.zeros_like(pressure)) if whole else None

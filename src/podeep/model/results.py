@@ -13,20 +13,24 @@ from ..beam.strings import summed
 from ..scene import Section
 from ..soil.reaction import Reaction
 from .assemble import Model
+from .points import Points
 from .recover import EndForces, Spread, end_forces, internal_forces
-from .system import Points, secant
+from .system import secant
 
 
 def axial_ends(model: Model, axial: Array, deflection: Array) -> EndForces:
     """End forces of the stretch for states of unknowns of both problems, (..., unknowns)."""
     system = model.axial.system
     count = system.field.degree + 1
-    spread = []
+    spread, end = [], 0
+    felt = system.motions(axial.reshape(-1, axial.shape[-1]))[:, 0]
+    felt = felt.reshape(*axial.shape[:-1], felt.shape[-1])
     for points in system.points:
+        first, end = end, end + len(points.x)
         soil, rubbing = points.against is None, points.friction
         if not points.spread or (soil and model.reactions == "lumped"):
             continue
-        u = product(axial, points.matrix(system.field))
+        u = felt[..., first:end]
         if rubbing is None:
             force = points.reaction.evaluate(u)[0]
         else:
@@ -147,15 +151,7 @@ class Results:
 
     def lateral_reaction(self, x: Array) -> Array:
         """Soil reaction by component at embedded depths, shape (steps, components, len(x)), N/m."""
-        return self._react(self.deflection(x), self.model.profile.lateral(x, self.diameter(x)))
-
-    def _react(self, u: Array, reaction: Reaction) -> Array:
-        """Reaction by component to motions u, shape (steps, components, n)."""
-        if self.model.needs.components == 1:
-            return reaction.evaluate(u[:, 0])[0][:, None]
-        distance = np.hypot(u[:, 0], u[:, 1])
-        force, modulus = reaction.evaluate(distance)
-        return np.asarray(secant(force, distance, modulus)[:, None] * u)
+        return reacted(self.deflection(x), self.model.profile.lateral(x, self.diameter(x)))
 
     def axial_reaction(self, x: Array) -> Array:
         """Shaft reaction at embedded depths, shape (steps, len(x)), N/m."""
@@ -176,12 +172,14 @@ class Results:
         """What resists at each set of points of the deflection, (steps, components, points)."""
         system = self.model.lateral.system
         found: list[Array] = []
+        felt, end = system.motions(self.lateral), 0
         for points in system.points:
-            u = product(self._components(), points.matrix(system.field))
+            first, end = end, end + len(points.x)
+            u = felt[..., first:end]
             if points.compressed:
                 found.append(-self._pressed(points.x, points.tube)[:, None] * u)
                 continue
-            reaction = self._react(u, points.reaction)
+            reaction = reacted(u, points.reaction)
             if points.follows is not None:
                 reaction *= np.linalg.norm(found[points.follows], axis=1)[:, None]
             found.append(reaction)
@@ -243,6 +241,15 @@ class Results:
         """x and y parts of a lateral quantity given by component, shape (steps, n) each."""
         vector = np.einsum("scn,cd->dsn", components, self.directions)
         return vector[0], vector[1]
+
+
+def reacted(u: Array, reaction: Reaction) -> Array:
+    """Reaction by component to motions u of one component or two, shape (steps, components, n)."""
+    if u.shape[1] == 1:
+        return reaction.evaluate(u[:, 0])[0][:, None]
+    distance = np.hypot(u[:, 0], u[:, 1])
+    force, modulus = reaction.evaluate(distance)
+    return np.asarray(secant(force, distance, modulus)[:, None] * u)
 
 
 def product(unknowns: Array, matrix: sparse.csr_array) -> Array:

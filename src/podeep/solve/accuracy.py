@@ -18,11 +18,12 @@ from ..model.coupling import pressed, rubbed, rubs
 from ..model.results import Results
 from ..model.system import System
 from .across import across
-from .newton import NO_SCALE, Ending, Limits, Outcome, Scale, largest, newton
+from .newton import NO_SCALE, Ending, Limits, Scale, largest, newton
 from .path import Path
 from .prolong import prolong
 from .refine import REST, Unresolved
 from .statics import State, Which
+from .together import equilibria
 
 _RESIDUAL = 1e-8  # how near the finer mesh comes to equilibrium: errors of iteration are seen too
 _BELOW = 1e-6  # of a depth: where the soil below a boundary is met, m
@@ -57,16 +58,21 @@ def _corrected(
     fine: Problem, systems: Sequence[System], start: Array, factors: Array, limits: Limits
 ) -> tuple[Array, Flags]:
     """Equilibria of the fine problem near states of it, by its `systems`; where there are none."""
-    found: list[Outcome] = []
+    held = fine.system.held
+    start = start.copy()
+    start[:, held] = fine.prescribed(factors)[:, held]
+    loads = fine.load(factors)
+    found, lost = start, np.ones(len(start), dtype=bool)
+    if all(system is systems[0] for system in systems):
+        found, settled = equilibria(systems[0], start, loads, limits.residual)
+        lost = ~settled
     scale = NO_SCALE
-    for q, system, factor in zip(start, systems, factors, strict=True):
-        q = q.copy()
-        q[system.held] = fine.prescribed(factor)[system.held]
-        found.append(newton(system, q, fine.load(factor), limits, scale))
-        force, unknown = largest(found[-1].internal), largest(found[-1].q)
-        scale = Scale(max(scale.force, force), max(scale.unknown, unknown))
-    lost = [outcome.ending is not Ending.CONVERGED for outcome in found]
-    return np.array([outcome.q for outcome in found]), np.array(lost)
+    for i, (q, system, load) in enumerate(zip(start, systems, loads, strict=True)):
+        if lost[i]:
+            outcome = newton(system, q, load, limits, scale)
+            found[i], lost[i] = outcome.q, outcome.ending is not Ending.CONVERGED
+        scale = Scale(max(scale.force, largest(load)), max(scale.unknown, largest(found[i])))
+    return found, lost
 
 
 def _finer(

@@ -18,8 +18,9 @@ from ..beam.shapes import gauss_interpolation, gauss_points
 from ..model.assemble import Problem
 from ..model.contact import Gap
 from ..model.contact import reaction as contact
+from ..model.points import Points
 from ..model.results import Results, product
-from ..model.system import Points, secant
+from ..model.system import secant
 from ..soil.reaction import Reaction
 
 REST = 1e-6  # share of the run's largest value below which a step is at rest

@@ -87,7 +87,7 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
     for step, after in enumerate(factors, start=1):
         if not alike[step - 1]:
             for track in tracks:
-                track.increment = None
+                track.increment = track.tangent = None
         start = replace(axial), replace(lateral)
         made, _ = advance_both(model, axial, lateral, before, after)
         if made[-1].outcome.ending is not Ending.CONVERGED:
