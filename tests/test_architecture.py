@@ -25,8 +25,9 @@ beam.__init__ beam.shapes beam.strings beam.field beam.band
 model.__init__ model.needs model.mesh model.weave model.compression model.contact model.system
 model.footing model.holds model.weight model.assemble model.recover model.results model.coupling
 model.effects model.grid
-solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.statics solve.refine
-solve.accuracy solve.analysis solve.diagnosis
+solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.statics solve.loaded
+solve.bordered solve.continuation solve.path solve.prolong solve.across solve.refine solve.accuracy
+solve.analysis solve.diagnosis
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read
 demand embedded capacity

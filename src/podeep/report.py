@@ -52,6 +52,29 @@ def summary(solved: Solved) -> dict[str, Any]:
         "largest_estimated_error": solved.error,
         "spudcan": spudcan(solved),
         "contacts": contacts(solved),
+        "path": beyond_peak(solved),
+    }
+
+
+def beyond_peak(solved: Solved) -> dict[str, Any] | None:
+    """The peak of a path that was followed, the state there, and how the path ended."""
+    path = solved.path
+    if path is None or not path.states:
+        return None
+    peak, last = path.states[path.peak], path.states[-1]
+    place = solved.steps + path.peak
+    head = solved.model.edges[:1]
+    return {
+        "problem": path.which,
+        "peak_step": peak.step,
+        "peak_factors": peak.factors.tolist(),
+        "peak_head_lateral_displacement_m": float(
+            largest(solved.results.deflection(head)[place])[0]
+        ),
+        "peak_head_axial_displacement_m": float(solved.results.settlement(head)[place, 0]),
+        "last_step": last.step,
+        "last_factors": last.factors.tolist(),
+        "end": path.end.value,
     }
 
 
@@ -130,6 +153,7 @@ def run_report(numbers: dict[str, Any]) -> str:
             *folded(f"{n['foundation']}  {'; '.join(n['decisions'])}"),
             f"    {n['elements']} elements of degree {n['degree']}, {n['steps']} steps, "
             f"{n['iterations']} iterations",
+            *(line for text in _path_lines(n["path"]) for line in folded(text)),
             f"    last step: head displaced {short(n['head_lateral_displacement_m'])} m, "
             f"settled {short(n['head_axial_displacement_m'])} m",
             f"    largest moment {short(n['largest_moment_Nm'])} N m{which} at "
@@ -153,6 +177,22 @@ def touching(contacts: Sequence[dict[str, Any]]) -> Iterator[str]:
                 f"up to {short(one['largest_N_per_m'])} N/m"
             )
         yield f"    tubes {one['outer']} and {one['inner']} {where}"
+
+
+def _path_lines(path: dict[str, Any] | None) -> Iterator[str]:
+    """The peak and what came beyond it."""
+    if path is None:
+        return
+    factors = [", ".join(f"{f:.4g}" for f in path[f"{n}_factors"]) for n in ("peak", "last")]
+    yield (
+        f"    {path['problem']} peak in step {path['peak_step']}: load factors {factors[0]}, head "
+        f"displaced {short(path['peak_head_lateral_displacement_m'])} m, settled "
+        f"{short(path['peak_head_axial_displacement_m'])} m"
+    )
+    yield (
+        f"    followed beyond it to step {path['last_step']}, load factors {factors[1]}: "
+        f"{path['end']}"
+    )
 
 
 def step_table(solved: Solved) -> str:

@@ -16,7 +16,7 @@ from .files import make_folder
 from .record import Sheet, sheet
 from .report import run_report, step_table, summary
 from .risks.bearing import tip_support_check
-from .scene import Foundation, Scene
+from .scene import Foundation, Scene, Steps
 from .soil.curves import CurveTable
 from .soil.curves import curves as soil_curves
 from .soil.profile import profile_of
@@ -45,12 +45,19 @@ class Run:
 
     def warnings(self) -> tuple[str, ...]:
         """What the user must know of results that are there."""
-        return tuple(
+        rough = tuple(
             f"{s.model.foundation.name}: the accuracy asked, {s.accuracy:g}, was not reached: the "
             f"largest estimated error is {s.error:.1e} with {s.model.elements} elements"
             for s in self.solved
             if not s.accurate
         )
+        unknown = tuple(
+            f"{s.model.foundation.name}: the errors of {s.unestimated} steps beyond the peak could "
+            "not be estimated; they stand as 100 %"
+            for s in self.solved
+            if s.unestimated
+        )
+        return rough + unknown
 
     def text(self, verbose: bool = False) -> str:
         """The report in words."""
@@ -104,7 +111,7 @@ def run_deck(
         tell(risk)
     if not deck.solve:
         return Run(path, scene.title, (), None, "", risks)
-    solved = tuple(until_interrupted(scene))
+    solved = on_one_path(scene, tuple(until_interrupted(scene)))
     names = scene.steps.names
     for one in solved:
         if one.failure and not one.states:
@@ -124,6 +131,18 @@ def until_interrupted(scene: Scene) -> Iterator[Solved]:
         yield one
         if one.interrupted:
             return
+
+
+def on_one_path(scene: Scene, solved: tuple[Solved, ...]) -> tuple[Solved, ...]:
+    """All foundations under the load factors of the path that starts first, if there is one."""
+    paths = [(s.failure.step, s.failure.reached, s) for s in solved if s.path and s.failure]
+    if not paths or len(solved) == 1 or solved[-1].interrupted:
+        return solved
+    leader = min(paths, key=lambda item: item[:2])[2]
+    factors = tuple(tuple(s.factors.tolist()) for s in leader.states[1:])
+    numerics = replace(scene.numerics, follow_path=False)
+    same = replace(scene, steps=Steps(scene.steps.names, factors), numerics=numerics)
+    return tuple(s if s is leader else solve(same, s.model.foundation) for s in solved)
 
 
 def write(

@@ -41,3 +41,17 @@ def scatter_matrix(
     """Sparse matrix that spreads one number a point over the band; duplicates are summed."""
     entries = sparse.coo_array((values.ravel(), (place.ravel(), source.ravel())), shape=shape)
     return sparse.csr_array(entries)
+
+
+def general_band(lower: Array) -> Array:
+    """A symmetric matrix as LAPACK's general band storage, with the room that pivots need.
+
+    lower: lower band, shape (width, n). Returns shape (3 width - 2, n), Fortran order.
+    """
+    width, n = lower.shape
+    whole = np.zeros((3 * width - 2, n), order="F")
+    middle = 2 * (width - 1)
+    whole[middle:] = lower
+    for d in range(1, width):
+        whole[middle - d, d:] = lower[d, : n - d]
+    return whole

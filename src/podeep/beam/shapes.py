@@ -88,8 +88,11 @@ def gauss_integrals(xi: Array, count: int) -> tuple[Array, Array]:
     Returns two arrays of shape (n, count): times the values at the Gauss points they give the
     first and the second integral at each xi, exact for the interpolating polynomial.
     """
-    first, second = (
-        np.stack([basis.integ(times, lbnd=-1)(xi) for basis in _lagrange(count)], axis=-1)
-        for times in (1, 2)
-    )
+    first, second = (np.stack([f(xi) for f in fs], axis=-1) for fs in _integrals(count))
     return first, second
+
+
+@lru_cache(maxsize=16)
+def _integrals(count: int) -> tuple[tuple[Polynomial, ...], ...]:
+    """First and second integrals from xi = -1 of the Lagrange polynomials."""
+    return tuple(tuple(f.integ(times, lbnd=-1) for f in _lagrange(count)) for times in (1, 2))

@@ -133,16 +133,21 @@ MODEL = Keyword(
                     named=True,
                     default=True,
                 ),
+                Column(
+                    "PATH",
+                    "go on beyond a peak, on the branch where the loads fall",
+                    key="follow_path",
+                    kind="switch",
+                    named=True,
+                    default=False,
+                ),
             ),
         ),
     ),
     "*MODEL, PDELTA, SHEAR=ON, ELEMENTS=40, ORDER=5",
     once=True,
     optioned=True,
-    planned=(
-        *("LARGE", "LENGTH"),
-        *("PATH", "HYSTERESIS"),
-    ),
+    planned=("LARGE", "LENGTH", "HYSTERESIS"),
 )
 
 SEA = Keyword(

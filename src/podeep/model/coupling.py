@@ -12,7 +12,6 @@ from ..arrays import Array
 from .assemble import Model
 from .compression import compression
 from .contact import reaction
-from .recover import EndForces
 from .results import apart, axial_ends, tube_force
 from .system import Points, System
 
@@ -22,17 +21,20 @@ def pressed(model: Model, axial: Array, deflection: Array, lateral: System) -> S
 
     axial, deflection: unknowns of the model's two problems; of the latter friction depends.
     """
-    ends = axial_ends(model, axial, deflection)
-
-    def renewed(points: Points) -> Points:
-        return replace(points, reaction=compression(pressing(model, ends, lateral, points)))
-
-    return lateral.replaced(renewed(p) if p.compressed else p for p in lateral.points)
+    return under(lateral, pressing(model, axial, deflection, lateral))
 
 
-def pressing(model: Model, ends: EndForces, lateral: System, points: Points) -> Array:
-    """Normal force at points of a lateral system, (points,), N: of all that deflect there."""
-    field = lateral.field
+def under(lateral: System, force: Array) -> System:
+    """A lateral system under normal forces (N) at the points where they work on the slope."""
+    law = compression(force)
+    return lateral.replaced(replace(p, reaction=law) if p.compressed else p for p in lateral.points)
+
+
+def pressing(model: Model, axial: Array, deflection: Array, lateral: System) -> Array:
+    """Normal force where it works on the slope of a lateral system, (points,), N: that of all
+    tubes that deflect there as one."""
+    field, ends = lateral.field, axial_ends(model, axial, deflection)
+    points = next(p for p in lateral.points if p.compressed)
     element = field.elements(points.x, points.tube)
     interval = field.strings.interval[element]
     total = np.zeros(len(points.x))

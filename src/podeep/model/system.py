@@ -308,14 +308,34 @@ class System:
 
     def _solve(self, modulus: Array, right: Array, across: Array | None = None) -> Array | None:
         """Solve with moduli along the displacement, and across it (None: the exact secants)."""
+        _, x, info = lapack.dpbsv(self._band(modulus, across), right, lower=1, overwrite_ab=1)
+        return x if info == 0 else None
+
+    def _band(self, modulus: Array, across: Array | None = None) -> Array:
+        """Lower band of the matrix with these moduli, shape (width, size), Fortran order."""
         if self.components == 2:
             modulus = self._vector_moduli(modulus, across)
         band = self._spread @ modulus
         band += self._linear
-        _, x, info = lapack.dpbsv(
-            band.reshape((self.width, self.size), order="F"), right, lower=1, overwrite_ab=1
-        )
-        return x if info == 0 else None
+        return np.asarray(band.reshape((self.width, self.size), order="F"))
+
+    def tangent(self) -> Array:
+        """Lower band of the exact tangent at the last `internal`, held unknowns apart from it."""
+        return self._band(self._state[3])
+
+    def tangent_times(self, move: Array) -> Array:
+        """What the last `internal` grows by along a small move of all unknowns, held ones too."""
+        modulus, count = self._state[3], self._count
+        if self.components == 1:
+            seen = self._observe @ move
+            seen[:count] *= modulus
+        else:
+            seen = self._observe @ move.reshape(-1, 2)
+            xx, yy, xy = self._vector_moduli(modulus, None).reshape(3, -1)
+            u, v = seen[:count].T.copy()
+            seen[:count, 0] = xx * u + xy * v
+            seen[:count, 1] = xy * u + yy * v
+        return np.asarray((self._balance @ seen).ravel() + self._springs * move)
 
     def _vector_moduli(self, along: Array, across: Array | None) -> Array:
         """xx, yy and xy moduli, one after the other, of a reaction along the displacement."""

@@ -9,19 +9,20 @@ that difference is the estimate.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from itertools import repeat
 
 import numpy as np
 
-from ..arrays import Array
-from ..beam.field import Field
+from ..arrays import Array, Flags
 from ..model.assemble import Model, Problem
 from ..model.coupling import pressed, rubbed, rubs
-from ..model.results import Results, product
+from ..model.results import Results
 from ..model.system import System
+from .across import across
 from .newton import NO_SCALE, Ending, Limits, Outcome, Scale, largest, newton
+from .path import Path
+from .prolong import prolong
 from .refine import REST, Unresolved
-from .statics import State
+from .statics import State, Which
 
 _RESIDUAL = 1e-8  # how near the finer mesh comes to equilibrium: errors of iteration are seen too
 _BELOW = 1e-6  # of a depth: where the soil below a boundary is met, m
@@ -51,46 +52,15 @@ class Estimate:
         return np.asarray(np.max(kinds, axis=0))
 
 
-def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
-    """The same states in the elements of a finer field of at least the same degree.
-
-    q: shape (states, unknowns of the coarse field). The fine field's edges hold those of the coarse
-    one. Nodal values are taken over, internal ones fitted to what is left, which is exact.
-    """
-    given = np.moveaxis(q.reshape(len(q), -1, components), 2, 1)
-    rows = np.zeros((len(q), components, fine.size))
-    tube = fine.strings.leader
-    for x, node in ((fine.tops, 0), (fine.tops + fine.lengths, -fine.nodal)):
-        rows[..., fine.dofs[:, node]] = product(given, coarse.interpolation(x, 0, tube))
-        if fine.nodal == 2:
-            turned = product(given, coarse.rotation(x, tube))
-            rows[..., fine.dofs[:, node + 1]] = fine.slope_length * turned
-    inner = slice(fine.nodal, fine.local - fine.nodal)
-    if fine.local > 2 * fine.nodal:
-        elements, count = fine.dofs.shape
-        share = (np.arange(count) + 0.5) / count
-        x, of = (fine.tops[:, None] + fine.lengths[:, None] * share).ravel(), np.repeat(tube, count)
-        matrix = fine.interpolation(x, 0, of)
-        left = product(given, coarse.interpolation(x, 0, of)) - product(rows, matrix)
-        functions = matrix.data.reshape(elements, count, count)[..., inner]
-        fit = np.linalg.pinv(functions)
-        rest = left.reshape(len(q), components, elements, count)
-        rows[..., fine.dofs[:, inner]] = np.einsum("eig,sceg->scei", fit, rest)
-    return np.moveaxis(rows, 1, 2).reshape(len(q), -1)
-
-
-def _prolonged(states: Array, coarse: Problem, fine: Problem) -> Array:
-    return prolong(states, coarse.system.field, fine.system.field, fine.system.components)
-
-
 def _corrected(
-    fine: Problem, systems: Sequence[System], start: Array, factors: Array
-) -> tuple[Array, Array]:
+    fine: Problem, systems: Sequence[System], start: Array, factors: Array, limits: Limits
+) -> tuple[Array, Flags]:
     """Equilibria of the fine problem near states of it, by its `systems`; where there are none."""
-    limits = Limits(residual=_RESIDUAL)
     found: list[Outcome] = []
     scale = NO_SCALE
     for q, system, factor in zip(start, systems, factors, strict=True):
+        q = q.copy()
+        q[system.held] = fine.prescribed(factor)[system.held]
         found.append(newton(system, q, fine.load(factor), limits, scale))
         force, unknown = largest(found[-1].internal), largest(found[-1].q)
         scale = Scale(max(scale.force, force), max(scale.unknown, unknown))
@@ -98,8 +68,45 @@ def _corrected(
     return np.array([outcome.q for outcome in found]), np.array(lost)
 
 
+def _finer(
+    old: Results, richer: Model, states: Sequence[State], path: Path | None
+) -> tuple[Results, Flags, Flags]:
+    """Equilibria on the finer mesh near the states, and where deflection and stretch have none."""
+    limits, model = Limits(residual=_RESIDUAL), old.model
+    factors = np.array([s.factors for s in states])
+    whiches: tuple[Which, ...] = ("lateral", "axial")
+    pairs = [(getattr(model, w), getattr(richer, w), getattr(old, w)) for w in whiches]
+    start = {
+        which: prolong(q, one.system.field, fine.system.field, fine.system.components)
+        for which, (one, fine, q) in zip(whiches, pairs, strict=True)
+    }
+    first = len(states) - len(path.states if path else ())
+    beyond = None
+    if path is not None and path.states:
+        begun = {which: q[first:] for which, q in start.items()}
+        beyond, factors[first:], known = across(model, richer, path, begun, limits)
+    rough = richer.axial.system
+    systems = [rubbed(model, s.lateral, rough) if rubs(rough) else rough for s in states]
+    found: dict[Which, tuple[Array, Flags]] = {}
+    order: tuple[tuple[Which, Problem], ...] = (
+        ("axial", richer.axial),
+        ("lateral", richer.lateral),
+    )
+    for which, fine in order:
+        if which == "lateral":
+            stretched = zip(states, found["axial"][0], start["lateral"], strict=True)
+            systems = [_as_in(state, richer, *unknowns) for state, *unknowns in stretched]
+        n = first if beyond is not None and path and which == path.which else len(states)
+        q, lost = _corrected(fine, systems[:n], start[which][:n], factors[:n], limits)
+        if n < len(states) and beyond is not None:
+            q, lost = np.concatenate([q, beyond]), np.concatenate([lost, ~known])
+        found[which] = q, lost
+    new = Results(richer, found["lateral"][0], found["axial"][0])
+    return new, found["lateral"][1], found["axial"][1]
+
+
 def _as_in(state: State, richer: Model, axial: Array, lateral: Array) -> System:
-    """The lateral system of a finer model in a state: softened, and under the normal force there.
+    """The lateral system of the finer model in a state: softened, under the normal force there.
 
     axial, lateral: unknowns of the finer model.
     """
@@ -157,7 +164,7 @@ class _Pair:
         return _ratio(_largest(self.new - self.old), self.size)
 
 
-def _estimate(moved: _Pair, held: _Pair, inner: _Pair, force: Array, lost: Array) -> Estimate:
+def _estimate(moved: _Pair, held: _Pair, inner: _Pair, force: Array, lost: Flags) -> Estimate:
     """From displacement, reaction and moment (or normal force); lost: steps without equilibrium."""
     anywhere = np.maximum(moved.anywhere, inner.anywhere)
     kinds = (moved.largest, held.largest, inner.largest, anywhere, force)
@@ -169,22 +176,17 @@ def estimate(
     richer: Model,
     states: Sequence[State],
     parts: Sequence[Unresolved],
+    path: Path | None = None,
 ) -> tuple[Estimate, Estimate]:
     """Estimate the discretisation errors of solved `states`, lateral and axial.
 
     old: their results. richer: the model on a finer mesh of a higher degree. parts: what the
-    elements do not resolve.
+    elements do not resolve. path: where the last of the states lie beyond a peak. Errors there are
+    at the same place across the path; 1 where none was found.
     """
     model = old.model
     factors = np.array([s.factors for s in states])
-    rough = richer.axial.system
-    stretched = [rubbed(model, s.lateral, rough) if rubs(rough) else rough for s in states]
-    bent = _prolonged(old.lateral, model.lateral, richer.lateral)
-    drawn = _prolonged(old.axial, model.axial, richer.axial)
-    axial, adrift = _corrected(richer.axial, stretched, drawn, factors)
-    systems = [_as_in(*each) for each in zip(states, repeat(richer), axial, bent)]
-    lateral, lost = _corrected(richer.lateral, systems, bent, factors)
-    new = Results(richer, lateral, axial)
+    new, lost, adrift = _finer(old, richer, states, path)
     share = np.arange(_PLACES) / _PLACES
     inside = richer.edges[:-1, None] + np.diff(richer.edges)[:, None] * share
     every = np.append(inside.ravel(), richer.edges[-1])

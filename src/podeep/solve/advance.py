@@ -6,7 +6,7 @@ from ..arrays import Array
 from ..model.assemble import Problem
 from .newton import NO_SCALE, Ending, Limits, Outcome, Scale, Work, largest, newton
 
-_HALVINGS = 16  # a peak is found to 1.5e-5 of the step
+HALVINGS = 16  # a peak is found to 1.5e-5 of the step
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +22,7 @@ class Advance:
 
 @dataclass(slots=True)
 class Track:
-    """One problem on its way through the steps."""
+    """One problem on its way through the steps; halvings: of a step that fails."""
 
     problem: Problem
     limits: Limits
@@ -31,6 +31,7 @@ class Track:
     increment: Array | None = None
     energy: float = 0.0
     scale: Scale = NO_SCALE
+    halvings: int = HALVINGS
 
     def advance(self, before: Array, after: Array) -> Advance:
         """Go from factors `before` to `after`, or as far as there is equilibrium."""
@@ -51,7 +52,7 @@ class Track:
                 reached = target
                 if reached == 1.0:
                     return Advance(outcome, 1.0, smallest, work)
-            elif part <= 2.0**-_HALVINGS:
+            elif part <= 2.0**-self.halvings:
                 return Advance(outcome, reached, part, work)
             else:
                 part *= 0.5

@@ -16,6 +16,7 @@ from ..scene import Foundation, Scene
 from ..soil.profile import profile_of
 from .accuracy import Estimate, estimate, unestimated
 from .newton import Limits
+from .path import Path, follow
 from .refine import Unresolved, finer, unresolved
 from .statics import Failure, NoEquilibrium, State, steps
 
@@ -35,7 +36,19 @@ class Solved:
     estimates: tuple[Estimate, Estimate]  # lateral, axial
     failure: Failure | None
     accuracy: float  # that was asked for
+    path: Path | None = None  # what came beyond the failure; its states are the last ones
     interrupted: bool = False  # by the user, before the last step or the accuracy was reached
+
+    @property
+    def steps(self) -> int:
+        """States under the loads of the steps; those of a path come on top."""
+        return len(self.states) - len(self.path.states if self.path else ())
+
+    @property
+    def unestimated(self) -> int:
+        """States on the path whose errors are not known."""
+        beyond = self.estimates[0].displacement[self.steps :]
+        return int(np.count_nonzero(beyond == 1.0)) if self.path else 0
 
     @property
     def error(self) -> float:
@@ -92,10 +105,18 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
     for _ in range(_ROUNDS):
         states, failure, interrupted = run(model, factors, limits(scene))
         if not states:  # the tubes do not bear their own weight
-            return Solved(model, (), (unestimated(0),) * 2, failure, accuracy, interrupted)
-        parts, found, stopped = estimated(scene, model, states)
+            nothing = (unestimated(0),) * 2
+            return Solved(model, (), nothing, failure, accuracy, interrupted=interrupted)
+        path = None
+        try:
+            if failure is not None and scene.numerics.follow_path:
+                path = follow(model, failure, limits(scene))
+                states += path.states
+        except KeyboardInterrupt:
+            interrupted = True
+        parts, found, stopped = estimated(scene, model, states, path)
         interrupted = interrupted or stopped
-        one = Solved(model, tuple(states), found, failure, accuracy, interrupted)
+        one = Solved(model, tuple(states), found, failure, accuracy, path, interrupted)
         if best is None or better(one, best):
             best, stale = one, 0
         else:
@@ -113,7 +134,7 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
 
 
 def estimated(
-    scene: Scene, model: Model, states: Sequence[State]
+    scene: Scene, model: Model, states: Sequence[State], path: Path | None
 ) -> tuple[tuple[Unresolved, ...], tuple[Estimate, Estimate], bool]:
     """What the elements do not resolve, estimated errors, and whether the user ended it."""
     old = results_of(model, states)
@@ -121,7 +142,7 @@ def estimated(
     try:
         every = np.ones(len(states), dtype=bool)
         richer = rebuilt(scene, model, finer(parts, [every] * len(parts)), 1)
-        found = estimate(old, richer, states, parts)
+        found = estimate(old, richer, states, parts, path)
     except KeyboardInterrupt:
         return parts, (unestimated(len(states)),) * 2, True
     return parts, found, False
@@ -129,8 +150,8 @@ def estimated(
 
 def better(one: Solved, other: Solved) -> bool:
     """More steps, or as many with smaller errors; too fine a mesh has neither."""
-    if len(one.states) != len(other.states):
-        return len(one.states) > len(other.states)
+    if one.steps != other.steps:
+        return one.steps > other.steps
     return one.error < other.error
 
 
@@ -171,9 +192,23 @@ def first_model(scene: Scene, foundation: Foundation) -> Model:
     boundaries = edges(pieces, profile, _SIZE[degree], scene.numerics.elements)
     wanted = needs(scene, foundation)
     check_shear(scene.numerics, foundation.name, pieces)
+    check_path(scene, foundation)
     model = assemble(scene, foundation, wanted, profile, pieces, boundaries, degree)
     check_restraint(model)
     return model
+
+
+def check_path(scene: Scene, foundation: Foundation) -> None:
+    """Raises UserError where a path is asked for that a spudcan's yield surface would end."""
+    spudcan = scene.spudcan(foundation)
+    if scene.numerics.follow_path and spudcan is not None and spudcan.preload is not None:
+        raise UserError(
+            Fault(
+                f"{foundation.name}: PATH=ON, but its spudcan has a preload; beyond its yield "
+                "surface there is no reaction that a path could follow",
+                "leave PATH=ON out, or V_PRELOAD of *SPUDCAN: it stays elastic then",
+            )
+        )
 
 
 def check_restraint(model: Model) -> None:

@@ -14,16 +14,34 @@ _LITTLE = 0.5  # of the capacity: below it the soil is not the reason
 
 def explain(solved: Solved, failure: Failure, names: tuple[str, ...]) -> str:
     """The failure as the user reads it; `names` are the loads that the factors belong to."""
-    foundation = solved.model.foundation.name
-    factors = ", ".join(f"{n} {f:.4g}" for n, f in zip(names, failure.factors, strict=True))
-    lines = [
-        f"{foundation}: no {failure.which} equilibrium beyond {failure.reached:.3%} of step "
-        f"{failure.step}",
-        f"load factors reached: {factors}",
-        failure.ending.value,
-        *advice(solved, failure),
-    ]
-    return "\n  ".join(lines)
+    foundation, path = solved.model.foundation.name, solved.path
+    further: list[str] = []
+    if path is not None and path.states:
+        peak, last = path.states[path.peak], path.states[-1]
+        share = failure.reached + path.added(peak)
+        lines = [
+            f"{foundation}: {path.which} peak at {share:.3%} of step {failure.step}",
+            f"load factors at the peak, step {peak.step} of the database: "
+            f"{named(names, peak.factors)}",
+        ]
+        further = [
+            f"beyond the peak followed to step {last.step}, {named(names, last.factors)}: "
+            f"{path.end.value}"
+        ]
+    else:
+        lines = [
+            f"{foundation}: no {failure.which} equilibrium beyond {failure.reached:.3%} of step "
+            f"{failure.step}",
+            f"load factors reached: {named(names, failure.factors)}",
+            failure.ending.value,
+        ]
+        further = [] if path is None else [f"it could not be followed beyond: {path.end.value}"]
+    return "\n  ".join([*lines, *advice(solved, failure), *further])
+
+
+def named(names: tuple[str, ...], factors: Array) -> str:
+    """Load factors with the names of the loads."""
+    return ", ".join(f"{n} {f:.4g}" for n, f in zip(names, factors, strict=True))
 
 
 def advice(solved: Solved, failure: Failure) -> list[str]:

@@ -122,11 +122,10 @@ def newton(
         if step is None or not np.isfinite(slope := float(step @ residual)):
             ending = Ending.MECHANISM
             break
-        reach = max(largest(q), _REST * scale.unknown)
-        still = largest(step) <= _STILL * limits.residual * reach
-        if still and worst <= min(rounding(system, q), _ROUNDING_CAP * size):
+        if unmoved(system, q, step, (worst, size), limits, scale):
             ending = Ending.CONVERGED
             break
+        reach = max(largest(q), _REST * scale.unknown)
         before = q
         q, internal, residual = go(evaluate, q, step, slope)
         increment = largest(q - before) / reach if reach else 0.0
@@ -136,6 +135,24 @@ def newton(
 def largest(x: Array) -> float:
     """Largest magnitude; BLAS needs one call where NumPy needs two."""
     return abs(float(x[blas.idamax(x)]))
+
+
+def unmoved(
+    system: System,
+    q: Array,
+    step: Array,
+    forces: tuple[float, float],
+    limits: Limits,
+    scale: Scale,
+) -> bool:
+    """Whether a residual is mere rounding: the step that would remove it moves nothing.
+
+    forces: the largest force out of balance and the largest force, N.
+    """
+    worst, size = forces
+    reach = max(largest(q), _REST * scale.unknown)
+    still = largest(step) <= _STILL * limits.residual * reach
+    return still and worst <= min(rounding(system, q), _ROUNDING_CAP * size)
 
 
 def rounding(system: System, q: Array) -> float:

@@ -9,12 +9,12 @@ import numpy as np
 from ..arrays import Array
 from ..model.assemble import Model
 from ..model.coupling import pressed, rubs
-from .advance import Advance, Track
+from .advance import HALVINGS, Advance, Track
 from .newton import Ending, Limits
 from .rubbing import advance_rubbing
 from .yielding import advance_yielding
 
-_PARTS = 16  # halvings that find how much of a step a spudcan can carry
+Which = Literal["lateral", "axial"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,18 +41,26 @@ class State:
 class Failure:
     """Where a step stopped: the part of it that was reached and the problem that gave up.
 
-    lateral, axial: unknowns of the last equilibria; which: the problem without one. softening: as
+    factors, lateral, axial, energy: of the last equilibrium, of both problems at the same factors;
+    which: the problem without one. growth: what the whole step adds to the factors. softening: as
     of `State`, there.
     """
 
     step: int
     reached: float
     factors: Array
-    which: Literal["lateral", "axial"]
+    growth: Array
+    which: Which
     ending: Ending
     lateral: Array
     axial: Array
+    energy: float
     softening: float = 1.0
+
+    @property
+    def left(self) -> float:
+        """The part of the step that was not reached."""
+        return 1.0 - self.reached
 
 
 class NoEquilibrium(Exception):
@@ -81,23 +89,9 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
             for track in tracks:
                 track.increment = None
         start = replace(axial), replace(lateral)
-        which: Literal["lateral", "axial"] = "axial"
-        if rubs(model.axial.system):
-            made, which = advance_rubbing(model, lateral, axial, before, after)
-        else:
-            made = [advance_stretch(axial, before, after)] if model.needs.axial else []
-            if all(m.outcome.ending is Ending.CONVERGED for m in made):
-                made.append(advance_deflection(model, lateral, axial, before, after))
-                which = "lateral"
-        last = made[-1]
-        if last.outcome.ending is not Ending.CONVERGED:
-            reached = last.reached
-            if last.outcome.ending is Ending.YIELDED:
-                reached, axial, lateral = largest_part(model, *start, before, after)
-            at = before + reached * (after - before)
-            kept = lateral.problem.system.softening
-            ending = last.outcome.ending
-            raise NoEquilibrium(Failure(step, reached, at, which, ending, lateral.q, axial.q, kept))
+        made, _ = advance_both(model, axial, lateral, before, after)
+        if made[-1].outcome.ending is not Ending.CONVERGED:
+            raise NoEquilibrium(stopped(model, start, step, before, after))
         yield State(
             step,
             after,
@@ -116,15 +110,68 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
 def at_rest(axial: Track, factors: Array, lateral: Array) -> State:
     """The state before loading; raises NoEquilibrium where the tubes do not bear their weight."""
     made = axial.advance(factors, factors)
-    if made.outcome.ending is not Ending.CONVERGED:
-        ending = made.outcome.ending
-        raise NoEquilibrium(Failure(0, 0.0, factors, "axial", ending, lateral, axial.q))
-    work = made.work
-    residual = made.outcome.residual
+    ending = made.outcome.ending
+    if ending is not Ending.CONVERGED:
+        growth = np.zeros_like(factors)
+        failure = Failure(0, 0.0, factors, growth, "axial", ending, lateral, axial.q, 0.0)
+        raise NoEquilibrium(failure)
+    work, residual = made.work, made.outcome.residual
     axial.increment = None
     return State(
         *(0, factors, lateral, axial.q, work.iterations, work.evaluations, residual, 1.0),
         axial.energy,
+    )
+
+
+def advance_both(
+    model: Model, axial: Track, lateral: Track, before: Array, after: Array
+) -> tuple[list[Advance], Which]:
+    """Take both problems from factors `before` to `after`.
+
+    Returns what it took and the problem that was solved last: the one without equilibrium, if
+    there is one.
+    """
+    if rubs(model.axial.system):
+        return advance_rubbing(model, lateral, axial, before, after)
+    made = [advance_stretch(axial, before, after)] if model.needs.axial else []
+    if made and made[0].outcome.ending is not Ending.CONVERGED:
+        return made, "axial"
+    return [*made, advance_deflection(model, lateral, axial, before, after)], "lateral"
+
+
+def stopped(
+    model: Model, start: tuple[Track, Track], step: int, before: Array, after: Array
+) -> Failure:
+    """How far a step goes that fails, from the tracks `start`: axial, lateral.
+
+    Both problems are under the same factors: the one that comes less far tells what is reached.
+    """
+    axial, lateral = (replace(track) for track in start)
+    if rubs(model.axial.system):
+        made, which = advance_rubbing(model, lateral, axial, before, after)
+        ending = made[-1].outcome.ending
+        reached, axial, lateral = largest_part(model, *start, before, after)
+    else:
+        which = "axial"
+        one = advance_stretch(axial, before, after)
+        reached, ending = one.reached, one.outcome.ending
+        factors = before + reached * (after - before)
+        one = advance_deflection(model, lateral, axial, before, factors)
+        if one.outcome.ending is not Ending.CONVERGED:
+            which, ending = "lateral", one.outcome.ending
+            if ending is Ending.YIELDED or model.needs.second_order:
+                part, axial, lateral = largest_part(model, *start, before, factors)
+                reached *= part
+            else:
+                reached *= one.reached
+                axial = replace(start[0])
+                advance_stretch(axial, before, before + reached * (after - before))
+    factors = before + reached * (after - before)
+    kept = lateral.problem.system.softening
+    energy = lateral.energy + axial.energy
+    growth = after - before
+    return Failure(
+        *(step, reached, factors, growth, which, ending, lateral.q, axial.q, energy, kept)
     )
 
 
@@ -152,19 +199,18 @@ def advance_deflection(
 def largest_part(
     model: Model, axial: Track, lateral: Track, before: Array, after: Array
 ) -> tuple[float, Track, Track]:
-    """The largest part of a step that leaves a spudcan within its surface, and the tracks there.
+    """The largest part of a step that both problems can take together, and the tracks there.
 
     axial, lateral: where the step starts.
     """
-    held, broken, best = 0.0, 1.0, (axial, lateral)
-    for _ in range(_PARTS):
+    held, broken = 0.0, 1.0
+    best = replace(axial, halvings=0), replace(lateral, halvings=0)
+    for _ in range(HALVINGS):
         part = 0.5 * (held + broken)
-        trial = replace(axial), replace(lateral)
-        factors = before + part * (after - before)
-        made = advance_stretch(trial[0], before, factors)
-        if made.outcome.ending is Ending.CONVERGED:
-            made = advance_deflection(model, trial[1], trial[0], before, factors)
-        if made.outcome.ending is Ending.CONVERGED:
+        trial = replace(best[0]), replace(best[1])
+        start, target = (before + share * (after - before) for share in (held, part))
+        made, _ = advance_both(model, *trial, start, target)
+        if made[-1].outcome.ending is Ending.CONVERGED:
             held, best = part, trial
         else:
             broken = part
