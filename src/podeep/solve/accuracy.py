@@ -26,6 +26,7 @@ from .statics import State, Which
 
 _RESIDUAL = 1e-8  # how near the finer mesh comes to equilibrium: errors of iteration are seen too
 _BELOW = 1e-6  # of a depth: where the soil below a boundary is met, m
+_WHICH: tuple[Which, ...] = ("axial", "lateral")  # the normal force of the stretch comes first
 _PLACES = 12  # depths in each element at which both meshes are compared
 
 
@@ -74,31 +75,27 @@ def _finer(
     """Equilibria on the finer mesh near the states, and where deflection and stretch have none."""
     limits, model = Limits(residual=_RESIDUAL), old.model
     factors = np.array([s.factors for s in states])
-    whiches: tuple[Which, ...] = ("lateral", "axial")
-    pairs = [(getattr(model, w), getattr(richer, w), getattr(old, w)) for w in whiches]
-    start = {
-        which: prolong(q, one.system.field, fine.system.field, fine.system.components)
-        for which, (one, fine, q) in zip(whiches, pairs, strict=True)
-    }
-    first = len(states) - len(path.states if path else ())
-    beyond = None
+    start: dict[Which, Array] = {}
+    which: Which
+    for which in _WHICH:
+        one, fine = (getattr(m, which).system for m in (model, richer))
+        start[which] = prolong(getattr(old, which), one.field, fine.field, fine.components)
+    first, beyond = len(states), None
     if path is not None and path.states:
-        begun = {which: q[first:] for which, q in start.items()}
+        first = len(states) - len(path.states)
+        begun = {w: q[first:] for w, q in start.items()}
         beyond, factors[first:], known = across(model, richer, path, begun, limits)
     rough = richer.axial.system
     systems = [rubbed(model, s.lateral, rough) if rubs(rough) else rough for s in states]
     found: dict[Which, tuple[Array, Flags]] = {}
-    order: tuple[tuple[Which, Problem], ...] = (
-        ("axial", richer.axial),
-        ("lateral", richer.lateral),
-    )
-    for which, fine in order:
+    for which in _WHICH:
+        n = first if path is not None and path.which == which else len(states)
         if which == "lateral":
-            stretched = zip(states, found["axial"][0], start["lateral"], strict=True)
-            systems = [_as_in(state, richer, *unknowns) for state, *unknowns in stretched]
-        n = first if beyond is not None and path and which == path.which else len(states)
+            drawn = zip(states, found["axial"][0], start["lateral"], strict=True)
+            systems = [_as_in(state, richer, axial, bent) for state, axial, bent in drawn]
+        fine = getattr(richer, which)
         q, lost = _corrected(fine, systems[:n], start[which][:n], factors[:n], limits)
-        if n < len(states) and beyond is not None:
+        if beyond is not None and n < len(states):
             q, lost = np.concatenate([q, beyond]), np.concatenate([lost, ~known])
         found[which] = q, lost
     new = Results(richer, found["lateral"][0], found["axial"][0])
@@ -106,7 +103,7 @@ def _finer(
 
 
 def _as_in(state: State, richer: Model, axial: Array, lateral: Array) -> System:
-    """The lateral system of the finer model in a state: softened, under the normal force there.
+    """The lateral system of a finer model in a state: softened, and under the normal force there.
 
     axial, lateral: unknowns of the finer model.
     """
