@@ -2,10 +2,11 @@
 
     python tests/bench/accuracy_table.py [--csv | --short] [WORD ...]
 
---short prints a line for each family of cases. For each case and accuracy: elements, true errors of the largest displacement, reaction and moment
-(normal force where there is no other), the estimates that the run stores, and what misses a bar:
+For each case and accuracy: elements, then true error and stored estimate of the largest
+displacement, reaction and moment (normal force where there is no other), and what misses a bar:
 errors at most 2 times the accuracy, estimates within a factor of 10 of the errors, below 1e-9
-counted as 1e-9. Then the converged solution against the case's oracle. WORDs choose cases.
+counted as 1e-9. Then the converged solution against the case's oracle. WORDs choose cases; --short
+prints a line for each family of cases, --csv all figures.
 """
 
 import argparse
