@@ -24,6 +24,7 @@ from ..soil.reaction import Reaction
 from .compression import compression
 
 _FAR = 0.1  # displacement at which any soil is taken to have its capacity, m: for directions alone
+_SHARE = 1e-4  # of the secant: least modulus where a tangent has to be made positive definite
 _DENSE = 40_000  # entries below which a dense product beats a sparse one (call overhead)
 
 
@@ -199,6 +200,11 @@ class System:
         """The field at the Gauss points, shape (points, components)."""
         return np.asarray((self._observe @ q.reshape(-1, self.components))[: self._count])
 
+    def total_reaction(self) -> float:
+        """Magnitudes of the reaction at the last `internal`, added up, N (N m of rotations)."""
+        _, _, force, _ = self._state
+        return float(self.weight @ np.abs(force))
+
     def _capacity(self, points: Points) -> Array:
         """Bound of the reaction at some points, (n,)."""
         own = points.reaction.capacity
@@ -245,15 +251,17 @@ class System:
     def solve(self, right: Array) -> Array | None:
         """Solve with the tangent at the last `internal`; None for a mechanism.
 
-        Where the tangent is not positive definite (a softening law), its negative moduli are
-        first taken as zero, then all moduli as secants, at last as shares of the capacity (a gap
+        Where the tangent is not positive definite (a softening law, or soil that gives all it has),
+        moduli are first raised to a small share of the secants, which lets a step go far along
+        what nothing holds, then taken as the secants, at last as shares of the capacity (a gap
         that has to close): the energy still falls along the answer, and the residual that decides
         on equilibrium stays the exact one.
         """
-        _, _, _, modulus = self._state
+        _, distance, force, modulus = self._state
         x = self._solve(modulus, right)
         if x is None:
-            x = self._solve(np.maximum(modulus, 0.0), right)
+            some = _SHARE * np.abs(secant(force, distance, modulus))
+            x = self._solve(np.maximum(modulus, some), right)
         if x is None:
             x = self.solve_by_secants(right)
         if x is None:

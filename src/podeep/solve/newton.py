@@ -13,9 +13,11 @@ from ..model.system import System
 
 _CUT = 0.5  # a step is accepted when the slope of the energy fell to this share
 _SEARCHES = 40
+_GROWTH = 4.0  # of a step too short, after which the energy still falls as steeply
+_AWAY = 1e4  # lengths of the tube: one that moved so far, still out of balance, is not held
 _REST = 1e-6  # share of the run's largest force and unknown below which a state is at rest
 _STILL = 0.1  # of the limit of the residual: share of the unknowns that a step of rounding moves
-_ROUNDING_CAP = 1e-3  # rounding may excuse a residual up to this share of the forces, never more
+_ROUNDING_CAP = 1e-4  # rounding may excuse a residual up to this share of the forces, never more
 _EPS = float(np.finfo(float).eps)
 
 
@@ -89,6 +91,7 @@ def newton(
 
     Short elements on a stiff tube make forces of mere rounding. Then the residual cannot become
     small, but the step that would remove it can: it is equilibrium when that step moves nothing.
+    Rounding is measured against loads and soil: on a tube that runs away it outgrows both.
     """
     work = Work()
 
@@ -103,6 +106,7 @@ def newton(
     solve = system.solve_by_secants if limits.method == "secant" else system.solve
     go = whole_step if limits.method == "full steps" else search
     least = max(largest(load), _REST * scale.force)
+    away = _AWAY * float(np.ptp(system.field.edges))
     q, increment = start, 0.0
     internal, residual = evaluate(q)
     ending = Ending.EXHAUSTED
@@ -117,6 +121,9 @@ def newton(
             break
         if remaining == 0:
             break
+        if largest(q) > away:
+            ending = Ending.MECHANISM
+            break
         step = solve(residual)
         work.iterations += 1
         if step is None or not np.isfinite(slope := float(step @ residual)):
@@ -124,7 +131,8 @@ def newton(
             break
         reach = max(largest(q), _REST * scale.unknown)
         still = largest(step) <= _STILL * limits.residual * reach
-        if still and worst <= min(rounding(system, q), _ROUNDING_CAP * size):
+        outer = max(least, system.total_reaction())
+        if still and worst <= min(rounding(system, q), _ROUNDING_CAP * outer):
             ending = Ending.CONVERGED
             break
         before = q
@@ -156,24 +164,26 @@ def search(
     """A point along `step` where the energy falls much less steeply than at its start.
 
     `slope` is the (positive) product of step and residual at the start. The full step nearly
-    always does; one that overshoots, as on the cube root's infinite slope, is cut by the Illinois
-    form of the rule of false position. Returns unknowns, internal forces and residual there.
+    always does. One that overshoots, as on the cube root's infinite slope, is cut by the Illinois
+    form of the rule of false position. One that is short, as where hardly any soil has a modulus
+    left, is lengthened: without end, if nothing holds the tube. Returns unknowns, internal forces
+    and residual there.
     """
-    trial = q + step
-    internal, residual = evaluate(trial)
-    g = float(step @ residual)
-    low, high, g_low, g_high = 0.0, 1.0, slope, g
+    low, high, g_low, g_high, s = 0.0, np.inf, slope, 0.0, 1.0
     for _ in range(_SEARCHES):
-        if g >= -_CUT * slope and (g <= _CUT * slope or high == 1.0):
-            break
-        s = low + (high - low) * g_low / (g_low - g_high)
-        margin = 0.02 * (high - low)
-        s = min(max(s, low + margin), high - margin)
         trial = q + s * step
         internal, residual = evaluate(trial)
         g = float(step @ residual)
+        if abs(g) <= _CUT * slope:
+            break
         if g > 0.0:
             low, g_low, g_high = s, g, 0.5 * g_high
         else:
             high, g_high, g_low = s, g, 0.5 * g_low
+        if high == np.inf:
+            s *= _GROWTH
+        else:
+            margin = 0.02 * (high - low)
+            s = low + (high - low) * g_low / (g_low - g_high)
+            s = min(max(s, low + margin), high - margin)
     return trial, internal, residual
