@@ -146,7 +146,9 @@ def pushed(case: Case, share: float, steps: int) -> Run:
     told = ""
     if failure:
         none = unestimated(model, len(states))
-        told = explain(Solved(model, tuple(states), (none, none), failure, 1e-3), failure, ("PUSH",))
+        told = explain(
+            Solved(model, tuple(states), (none, none), failure, 1e-3), failure, ("PUSH",)
+        )
     each = [state.iterations for state in states]
     return Run(
         case,
