@@ -15,7 +15,7 @@ import numpy as np
 from scipy.linalg import lapack
 
 from grid_oracles import mechanism, peak, translation
-from grid_soils import AXIAL, LATERAL, RESIDUAL, SOFTENING
+from grid_soils import ASIDE, DOWN, RESIDUAL, SOFTENING
 from podeep.model.assemble import Model
 from podeep.scene import (
     Curve,
@@ -61,8 +61,8 @@ class Case:
     @property
     def scene(self) -> Scene:
         """The tube pushed at its head by 1 N."""
-        aside = (LATERAL | SOFTENING)[self.soil] if self.lateral else BESIDE
-        down = BESIDE if self.lateral else (AXIAL | RESIDUAL)[self.soil]
+        aside = ASIDE[self.soil] if self.lateral else BESIDE
+        down = BESIDE if self.lateral else DOWN[self.soil]
         section = SLENDER if self.way.startswith("slender") else STUB
         vertical = 0.0 if self.lateral else -1.0 if self.way.endswith("down") else 1.0
         force = (1.0 if self.lateral else 0.0, 0.0, vertical)
@@ -188,7 +188,7 @@ Setting = tuple[int, float, int]  # elements, share, steps
 
 
 def ways(soil: str) -> tuple[Way, ...]:
-    return LATERAL_WAYS if soil in LATERAL or soil in SOFTENING else AXIAL_WAYS
+    return LATERAL_WAYS if soil in ASIDE else AXIAL_WAYS
 
 
 def whole() -> list[Setting]:

@@ -62,6 +62,7 @@ SOFTENING: Mapping[str, Curve] = {
     "cyclic stiff clay in free water": _curve("stiff_clay_free_water", HARD, cyclic=True),
     "user, softening": _rows((200e3, 0.02), (120e3, 0.1)),
 }
+ASIDE: Mapping[str, Curve] = {**LATERAL, **SOFTENING}
 #: t-z and Q-z without a residual.
 AXIAL: Mapping[str, Curve] = {
     "clay shaft": _curve("cohesive", SHAFT),
@@ -79,3 +80,4 @@ RESIDUAL: Mapping[str, Curve] = {
     "direct shaft, 2GEO, residual 0.8": _curve("direct", GIVEN, shape="2GEO", residual=0.8),
     "user shaft, residual": _rows((50e3, 0.005, 0.0, 0.05), (30e3, 0.01, 1e6, 0.1)),
 }
+DOWN: Mapping[str, Curve] = {**AXIAL, **RESIDUAL}

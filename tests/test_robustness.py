@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from grid import ARM, MESHES, SHARES, STEPS, STUB, SURE, Case, Run, part, pushed, runs, ways
-from grid_soils import AXIAL, LATERAL, RESIDUAL, SOFTENING
+from grid_soils import ASIDE, DOWN, LATERAL, SOFTENING
 from podeep.soil.lateral_capacity import rigid_mechanism
 from podeep.soil.profile import profile_of
 
-SOILS = (*LATERAL, *SOFTENING, *AXIAL, *RESIDUAL)
+SOILS = (*ASIDE, *DOWN)
 # Iterations that the worst step below the capacity takes, iterations a step there on the mean, and
 # factorisations of a run above it on the mean, nearly all spent on halving the step at the peak.
 BUDGETS = {

@@ -11,7 +11,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from grid import SURE, Run, runs, ways, whole
-from grid_soils import AXIAL, LATERAL, RESIDUAL, SOFTENING
+from grid_soils import ASIDE, DOWN
 
 
 def line(name: str, found: list[Run]) -> str:
@@ -19,7 +19,8 @@ def line(name: str, found: list[Run]) -> str:
     above = [r for r in found if r.share > SURE]
     steps = sum(r.steps for r in below)
     return (
-        f"{name:<50}{len(found):>6}{sum(r.wrong for r in found):>7}{sum(r.halved for r in below):>5}"
+        f"{name:<50}{len(found):>6}{sum(r.wrong for r in found):>7}"
+        f"{sum(r.halved for r in below):>5}"
         f"{sum(r.iterations for r in below) / steps:>8.2f}{max(r.most for r in below):>6}"
         f"{sum(r.factorisations for r in below) / steps:>8.2f}"
         f"{sum(r.factorisations for r in above) / len(above):>9.0f}"
@@ -34,7 +35,7 @@ def main(*names: str) -> int:
     )
     every: list[Run] = []
     start = time.process_time()
-    for soil in names or (*LATERAL, *SOFTENING, *AXIAL, *RESIDUAL):
+    for soil in names or (*ASIDE, *DOWN):
         for way in ways(soil):
             found = runs(soil, way, whole())
             print(line(f"{soil}; {way}", found), flush=True)
