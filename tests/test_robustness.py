@@ -21,13 +21,13 @@ SOILS = (*ASIDE, *DOWN)
 BUDGETS = {
     "soft clay": (11, 2.2, 150),
     "soft clay, WSD": (10, 1.6, 140),
-    "soft clay, cube root": (18, 4.4, 210),
+    "soft clay, cube root": (21, 5.0, 220),
     "sand": (11, 2.8, 130),
     "cyclic sand": (11, 2.6, 120),
     "Reese sand": (11, 2.4, 140),
     "cyclic Reese sand": (11, 2.4, 120),
-    "stiff clay": (18, 4.9, 170),
-    "cyclic stiff clay": (16, 5.5, 240),
+    "stiff clay": (28, 6.5, 180),
+    "cyclic stiff clay": (23, 7.0, 240),
     "weak rock": (16, 5.1, 270),
     "ISO clay": (11, 2.5, 140),
     "ISO clay, low plasticity": (12, 2.6, 160),
@@ -37,7 +37,7 @@ BUDGETS = {
     "user, elastic-plastic": (10, 0.8, 170),
     "user, gap": (13, 2.5, 170),
     "cyclic soft clay": (9, 1.6, 120),
-    "cyclic soft clay, cube root": (12, 4.5, 130),
+    "cyclic soft clay, cube root": (20, 5.3, 140),
     "stiff clay in free water": (11, 3.2, 170),
     "cyclic stiff clay in free water": (13, 2.3, 130),
     "user, softening": (8, 0.7, 130),
@@ -53,7 +53,7 @@ BUDGETS = {
     "direct shaft, 2GEO, residual 0.8": (9, 1.7, 150),
     "user shaft, residual": (8, 0.6, 140),
 }
-RUNS, ITERATIONS, FACTORISATIONS, STOPS = 2112, 24_500, 24_700, 74_000
+RUNS, ITERATIONS, FACTORISATIONS, STOPS = 2112, 25_200, 25_400, 74_000
 
 
 @cache

@@ -17,7 +17,7 @@ _GROWTH = 4.0  # of a step too short, after which the energy still falls as stee
 _AWAY = 1e4  # lengths of the tube: one that moved so far, still out of balance, is not held
 _REST = 1e-6  # share of the run's largest force and unknown below which a state is at rest
 _STILL = 0.1  # of the limit of the residual: share of the unknowns that a step of rounding moves
-_ROUNDING_CAP = 1e-4  # rounding may excuse a residual up to this share of the forces, never more
+_ROUNDING_CAP = 1e-3  # rounding may excuse a residual up to this share of the forces, never more
 _EPS = float(np.finfo(float).eps)
 
 
@@ -91,7 +91,7 @@ def newton(
 
     Short elements on a stiff tube make forces of mere rounding. Then the residual cannot become
     small, but the step that would remove it can: it is equilibrium when that step moves nothing.
-    Rounding is measured against loads and soil: on a tube that runs away it outgrows both.
+    Rounding is measured against loads and soil, and excuses nothing on a tube that runs away.
     """
     work = Work()
 
@@ -106,7 +106,7 @@ def newton(
     solve = system.solve_by_secants if limits.method == "secant" else system.solve
     go = whole_step if limits.method == "full steps" else search
     least = max(largest(load), _REST * scale.force)
-    away = _AWAY * float(np.ptp(system.field.edges))
+    length = float(np.ptp(system.field.edges))
     q, increment = start, 0.0
     internal, residual = evaluate(q)
     ending = Ending.EXHAUSTED
@@ -121,7 +121,7 @@ def newton(
             break
         if remaining == 0:
             break
-        if largest(q) > away:
+        if largest(q) > _AWAY * length:
             ending = Ending.MECHANISM
             break
         step = solve(residual)
@@ -132,7 +132,8 @@ def newton(
         reach = max(largest(q), _REST * scale.unknown)
         still = largest(step) <= _STILL * limits.residual * reach
         outer = max(least, system.total_reaction())
-        if still and worst <= min(rounding(system, q), _ROUNDING_CAP * outer):
+        near = still and largest(q) <= length
+        if near and worst <= min(rounding(system, q), _ROUNDING_CAP * outer):
             ending = Ending.CONVERGED
             break
         before = q

@@ -13,7 +13,7 @@ from .advance import Advance, Track
 from .newton import Ending, Limits
 from .yielding import advance_yielding
 
-_PARTS = 16  # halvings that find how much of a step a spudcan can carry
+_PARTS = 16  # halvings that find how much of a step both problems can take
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +86,7 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
         last = made[-1]
         if last.outcome.ending is not Ending.CONVERGED:
             reached = last.reached
-            if last.outcome.ending is Ending.YIELDED:
+            if len(made) == 2 and not splits(model):
                 reached, axial, lateral = largest_part(model, *start, before, after)
             which: Literal["lateral", "axial"] = "lateral" if len(made) == 2 else "axial"
             at = before + reached * (after - before)
@@ -128,10 +128,19 @@ def advance_deflection(
     return advance_yielding(lateral, model.footing, load, before, after)
 
 
+def splits(model: Model) -> bool:
+    """Whether parts of a step of the deflection are parts of the whole step.
+
+    They are not where the stretch, which is found first, softens a spudcan or bends the tube.
+    """
+    yields = model.footing is not None and model.footing.surface is not None
+    return not yields and len(model.lateral.system.compression_points) == 0
+
+
 def largest_part(
     model: Model, axial: Track, lateral: Track, before: Array, after: Array
 ) -> tuple[float, Track, Track]:
-    """The largest part of a step that leaves a spudcan within its surface, and the tracks there.
+    """The largest part of a step that both problems take, and the tracks there.
 
     axial, lateral: where the step starts.
     """
