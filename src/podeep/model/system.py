@@ -28,6 +28,7 @@ _FURTHEST = 10.0  # displacement at which a contact is surely closed, m
 _FIRST = 1e-3  # displacement whose secants take a state from rest, m
 _STEEP = 100.0  # times these secants from which the tangent at rest counts as infinite
 NOTHING = 1e-30  # least distance of two components, m: there the secant is the tangent
+_SHARE = 1e-4  # of the secant: least modulus where a tangent has to be made positive definite
 _DENSE = 40_000  # entries below which a dense product beats a sparse one (call overhead)
 
 
@@ -192,6 +193,10 @@ class System:
             return None
         return Reaction.joined([p.reaction for p in self.points])
 
+    def total_reaction(self) -> float:
+        """Magnitudes of the reaction at the last `internal`, added up, N (N m of rotations)."""
+        return float(self.weight @ np.abs(self._state[2]))
+
     def react(self, u: Array) -> tuple[Array, Array]:
         """Reaction and modulus at signed displacements or distances u, shape (..., points).
 
@@ -235,15 +240,17 @@ class System:
     def solve(self, right: Array) -> Array | None:
         """Solve with the tangent at the last `internal`; None for a mechanism.
 
-        Where the tangent is not positive definite (a softening law), its negative moduli are
-        first taken as zero, then all moduli as secants, at last as shares of the capacity (a gap
+        Where the tangent is not positive definite (a softening law, or soil that gives all it has),
+        moduli are first raised to a small share of the secants, which lets a step go far along
+        what nothing holds, then taken as the secants, at last as shares of the capacity (a gap
         that has to close): the energy still falls along the answer, and the residual that decides
         on equilibrium stays the exact one.
         """
-        modulus = self._state[3]
+        _, distance, force, modulus, _ = self._state
         x = self._solve(modulus, right)
         if x is None:
-            x = self._solve(np.maximum(modulus, 0.0), right)
+            some = _SHARE * np.abs(secant(force, distance, modulus))
+            x = self._solve(np.maximum(modulus, some), right)
         if x is None:
             x = self.solve_by_secants(right)
         if x is None:

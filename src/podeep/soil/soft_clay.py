@@ -14,7 +14,7 @@ from ..errors import InvalidData
 from .backbone import Points, Polyline, Values
 from .law import LayeredLaw
 
-_TOE = 1e-6  # y/y50 that rounds off the cube root's infinite slope
+_TOE = 1e-10  # y/y50 that rounds off the cube root's infinite slope
 _CORNER, _END = 3.0, 15.0  # y/y50 between which cyclic resistance falls
 
 #: (y/y50, p/pu) of the published tables up to their peak, by shape
@@ -83,7 +83,8 @@ class SoftClay(LayeredLaw):
     X >= XR, p3 from there on; above XR, a straight line to p3 X/XR at s = 15, then constant.
 
     The cube root has an infinite slope at rest. It is rounded to s / (s^2 + d^2)^(1/3) with
-    d = 1e-6, which takes 3e-9 of p at s = 0.01 and 5e-15 at s = 8; p never exceeds its plateau.
+    d = 1e-10, which takes 3e-9 of p at s = 1e-6 and nothing at s = 0.01; p never exceeds its
+    plateau.
 
     depth X (m), diameter D (m), effective_overburden s'v (Pa; integral over the layers above),
     undrained_shear_strength su (Pa), effective_unit_weight g' (N/m3; local, for XR alone),

@@ -14,6 +14,8 @@ from ..model.system import System
 
 _CUT = 0.5  # a step is accepted when the slope of the energy fell to this share
 _SEARCHES = 40
+_GROWTH = 4.0  # of a step too short, after which the energy still falls as steeply
+_AWAY = 1e4  # lengths of the tube: one that moved so far, still out of balance, is not held
 _REST = 1e-6  # share of the run's largest force and unknown below which a state is at rest
 STILL = 0.1  # of the limit of the residual: share of the unknowns that a step of rounding moves
 ROUNDING_CAP = 1e-3  # rounding may excuse a residual up to this share of the forces, never more
@@ -90,6 +92,7 @@ def newton(
 
     Short elements on a stiff tube make forces of mere rounding. Then the residual cannot become
     small, but the step that would remove it can: it is equilibrium when that step moves nothing.
+    Rounding is measured against loads and soil, and excuses nothing on a tube that runs away.
     """
     work = Work()
     held = system.held if len(system.held) else None
@@ -105,6 +108,7 @@ def newton(
     solve = system.solve_by_secants if limits.method == "secant" else system.solve
     go = whole_step if limits.method == "full steps" else search
     least = max(largest(load), _REST * scale.force)
+    length = float(np.ptp(system.field.edges))
     q = before = start
     internal, residual = evaluate(q)
     ending = Ending.EXHAUSTED
@@ -119,12 +123,19 @@ def newton(
             break
         if remaining == 0:
             break
+        if largest(q) > _AWAY * length:
+            ending = Ending.MECHANISM
+            break
         step = solve(residual)
         work.iterations += 1
         if step is None or not isfinite(slope := blas.ddot(step, residual)):
             ending = Ending.MECHANISM
             break
-        if unmoved(system, q, step, (worst, size), limits, scale):
+        if (
+            unmoved(system, q, step, (worst, size), limits, scale)
+            and largest(q) <= length
+            and worst <= ROUNDING_CAP * max(least, system.total_reaction())
+        ):
             ending = Ending.CONVERGED
             break
         before = q
@@ -189,24 +200,26 @@ def search(
     """A point along `step` where the energy falls much less steeply than at its start.
 
     `slope` is the (positive) product of step and residual at the start. The full step nearly
-    always does; one that overshoots, as on the cube root's infinite slope, is cut by the Illinois
-    form of the rule of false position. Returns unknowns, internal forces and residual there.
+    always does. One that overshoots, as on the cube root's infinite slope, is cut by the Illinois
+    form of the rule of false position. One that is short, as where hardly any soil has a modulus
+    left, is lengthened: without end, if nothing holds the tube. Returns unknowns, internal forces
+    and residual there.
     """
-    trial = q + step
-    internal, residual = evaluate(trial)
-    g = blas.ddot(step, residual)
-    low, high, g_low, g_high = 0.0, 1.0, slope, g
+    low, high, g_low, g_high, s = 0.0, np.inf, slope, 0.0, 1.0
     for _ in range(_SEARCHES):
-        if g >= -_CUT * slope and (g <= _CUT * slope or high == 1.0):
-            break
-        s = low + (high - low) * g_low / (g_low - g_high)
-        margin = 0.02 * (high - low)
-        s = min(max(s, low + margin), high - margin)
         trial = q + s * step
         internal, residual = evaluate(trial)
         g = blas.ddot(step, residual)
+        if abs(g) <= _CUT * slope:
+            break
         if g > 0.0:
             low, g_low, g_high = s, g, 0.5 * g_high
         else:
             high, g_high, g_low = s, g, 0.5 * g_low
+        if high == np.inf:
+            s *= _GROWTH
+        else:
+            margin = 0.02 * (high - low)
+            s = low + (high - low) * g_low / (g_low - g_high)
+            s = min(max(s, low + margin), high - margin)
     return trial, internal, residual
