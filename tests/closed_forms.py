@@ -1,4 +1,4 @@
-"""Closed forms on linear soil: each case makes a deck, runs it, and returns its relative errors.
+"""Closed forms on linear soil: each case has a deck and tells the relative errors of a solution.
 
 Named after their source: Hetenyi (1946) for the infinite (CF01) and semi-infinite (CF02) beam,
 Matlock and Reese (1960) for k = nh z (CF04), an exact chain of segments for layers and a step of
@@ -9,7 +9,7 @@ as a share of its largest value.
 
 import csv
 from collections.abc import Callable, Mapping
-from functools import partial
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -28,6 +28,18 @@ def table(name: str, case: str | None = None) -> dict[str, Array]:
     with (DATA / name).open(encoding="utf-8") as file:
         rows = [r for r in csv.DictReader(file) if case is None or r["case"] == case]
     return {k: np.array([float(r[k]) for r in rows]) for k in rows[0] if k != "case"}
+
+
+@dataclass(frozen=True)
+class ClosedForm:
+    """A deck, and the errors of a solved one."""
+
+    text: str
+    compare: Callable[["Profile"], Errors]
+
+    def errors(self, how: str, folder: Path) -> Errors:
+        """Run the deck with one more line, `*ACCURACY 1e-6` for instance, and compare."""
+        return self.compare(Profile(solved(folder, f"{how}\n{self.text}")))
 
 
 class Profile:
@@ -75,7 +87,7 @@ def errors(profile: Profile, z: Array, exact: Table, modulus: Array, stiffness: 
 RAIL_EI, RAIL_K = 7.38e6, 14e6
 
 
-def cf01(kind: str, how: str, folder: Path) -> Errors:
+def cf01(kind: str) -> ClosedForm:
     """A rail on springs, half model of 20 m; the case counts moments sagging positive."""
     row = f"0 -20 1 0.1 200e9 7850 EI={RAIL_EI!r} EA=1e9"
     load = {"load": "*SUPPORT\n1 0 RY\n*LOAD\nP 1 0 85e3 0 0"}
@@ -85,9 +97,8 @@ def cf01(kind: str, how: str, folder: Path) -> Errors:
         depths=[0, 20],
         moduli=[RAIL_K, RAIL_K],
         casing=[row],
-        actions=[load[kind], how],
+        actions=[load[kind]],
     )
-    profile = Profile(solved(folder, text))
     given = table(f"CF01_point_{kind}.csv")
     moment, shear = given.get("M_sagging_Nm", given.get("M_Nm")), given["Q_N"]
     # pushed aside the rail moves like the case; turned, it moves against it
@@ -99,10 +110,15 @@ def cf01(kind: str, how: str, folder: Path) -> Errors:
         "moment": force * moment,
         "shear": force * shear,
     }
-    found = errors(profile, given["x_m"], exact, np.full(len(profile.depth), RAIL_K), RAIL_EI)
-    if kind == "moment":
-        found["head"] = abs(profile.slope[0] / exact["slope"][0] - 1.0)
-    return found
+
+    def compare(profile: Profile) -> Errors:
+        modulus = np.full(len(profile.depth), RAIL_K)
+        found = errors(profile, given["x_m"], exact, modulus, RAIL_EI)
+        if kind == "moment":
+            found["head"] = abs(profile.slope[0] / exact["slope"][0] - 1.0)
+        return found
+
+    return ClosedForm(text, compare)
 
 
 CHANG_EI, CHANG_K = 5.014e7, 2.25e6
@@ -115,52 +131,57 @@ CF02_HEADS = {
 }
 
 
-def chang(folder: Path, top: float, actions: list[str]) -> Profile:
+def chang(top: float, actions: list[str]) -> str:
     """45 m stand in for the semi-infinite pile; a tip nearer to 19 m is felt by the profiles."""
     row = f"{top:g} -45 1 0.1 200e9 7850 EI={CHANG_EI!r} EA=1e9"
     moduli = [CHANG_K, CHANG_K]
-    text = deck(title="Chang", depths=[0, 45], moduli=moduli, casing=[row], actions=actions)
-    return Profile(solved(folder, text))
+    return deck(title="Chang", depths=[0, 45], moduli=moduli, casing=[row], actions=actions)
 
 
-def cf02(head: str, how: str, folder: Path) -> Errors:
+def cf02(head: str) -> ClosedForm:
     """A semi-infinite pile with one of five heads at the mudline."""
-    profile, given = chang(folder, 0.0, [*CF02_HEADS[head], how]), table("CF02_heads.csv", head)
+    given = table("CF02_heads.csv", head)
     exact = {
         "y": given["y_m"],
         "slope": given["theta_rad"],
         "moment": given["M_Nm"],
         "shear": given["V_N"],
     }
-    return errors(profile, given["z_m"], exact, np.full(len(profile.depth), CHANG_K), CHANG_EI)
+
+    def compare(profile: Profile) -> Errors:
+        modulus = np.full(len(profile.depth), CHANG_K)
+        return errors(profile, given["z_m"], exact, modulus, CHANG_EI)
+
+    return ClosedForm(chang(0.0, CF02_HEADS[head]), compare)
 
 
-def cf02_stick_up(how: str, folder: Path) -> Errors:
+def cf02_stick_up() -> ClosedForm:
     """The same pile loaded 1 m above ground: the free part."""
-    profile, given = chang(folder, 1.0, ["*LOAD\nP 1 1 10e3 0 0", how]), table("CF02_stickup.csv")
-    spline = CubicHermiteSpline(profile.depth, profile.y, profile.slope)
-    found = spline(given["x_m_above_ground_negative"])
-    return {
-        "head": abs(profile.y[0] / given["y_m"][0] - 1.0),
-        "y": error(found, given["y_m"]),
-    }
+    given = table("CF02_stickup.csv")
+
+    def compare(profile: Profile) -> Errors:
+        spline = CubicHermiteSpline(profile.depth, profile.y, profile.slope)
+        found = spline(given["x_m_above_ground_negative"])
+        head = abs(profile.y[0] / given["y_m"][0] - 1.0)
+        return {"head": head, "y": error(found, given["y_m"])}
+
+    return ClosedForm(chang(1.0, ["*LOAD\nP 1 1 10e3 0 0"]), compare)
 
 
 CF04_NH, CF04_EI = 5e6, 80e6
 CF04_T = (CF04_EI / CF04_NH) ** 0.2
 
 
-def cf04(length: float, head: str, how: str, folder: Path) -> Errors:
+def cf04(length: float, head: str) -> ClosedForm:
     """k = nh z: force (A), moment (B) or force on a fixed head (F); length in multiples of T."""
     every, T = table("CF04_profiles.csv"), CF04_T
     given = {k: v[every["Zmax"] == length] for k, v in every.items()}
     load = {"A": "1e3 0 0", "B": "0 0 0 0 1e3 0", "F": "1e3 0 0"}[head]
-    actions = [f"*LOAD\nP 1 0 {load}", how, *(["*SUPPORT\n1 0 RY"] if head == "F" else [])]
+    actions = [f"*LOAD\nP 1 0 {load}", *(["*SUPPORT\n1 0 RY"] if head == "F" else [])]
     tip = length * T
     row = f"0 {-tip!r} 1 0.1 200e9 7850 EI={CF04_EI!r} EA=1e9"
     moduli = [0, CF04_NH * tip]
     text = deck(title="nh z", depths=[0, tip], moduli=moduli, casing=[row], actions=actions)
-    profile = Profile(solved(folder, text))
     unit = 1e3 if head != "B" else 1e3 / T  # force that the coefficients multiply
     exact = {
         "y": given[head + "y"] * unit * T**3 / CF04_EI,
@@ -168,7 +189,11 @@ def cf04(length: float, head: str, how: str, folder: Path) -> Errors:
         "moment": given[head + "m"] * unit * T,
         "shear": given[head + "v"] * unit,
     }
-    return errors(profile, given["Z"] * T, exact, CF04_NH * profile.depth, CF04_EI)
+
+    def compare(profile: Profile) -> Errors:
+        return errors(profile, given["Z"] * T, exact, CF04_NH * profile.depth, CF04_EI)
+
+    return ClosedForm(text, compare)
 
 
 CF05_LOADS = {
@@ -178,26 +203,30 @@ CF05_LOADS = {
 }
 
 
-def cf05(load: str, how: str, folder: Path) -> Errors:
+def cf05(load: str) -> ClosedForm:
     """A stick-up of 2 m, three layers, a step of stiffness; the grid holds the case's depths."""
     rows = [
         "2 -3 1 0.1 200e9 7850 EI=300e6 EA=1e9",
         "-3 -18 1 0.1 200e9 7850 EI=180e6 EA=1e9",
     ]
     depths, moduli = [0, 3, 3, 8, 8, 18], [4e6, 4e6, 20e6, 20e6, 12e6, 12e6]
-    actions = [*CF05_LOADS[load], how]
+    actions = CF05_LOADS[load]
     text = deck(title="layers", depths=depths, moduli=moduli, casing=rows, actions=actions)
-    profile, given = Profile(solved(folder, text)), table("CF05_profiles.csv", load)
+    given = table("CF05_profiles.csv", load)
     depth = given["z_from_head_m"] - 2.0
-    at = np.searchsorted(profile.depth, depth - 1e-9)
-    np.testing.assert_allclose(profile.depth[at], depth, atol=1e-9)
-    return {
-        "head": abs(profile.y[0] / given["y_m"][0] - 1.0),
-        "y": error(profile.y[at], given["y_m"]),
-        "slope": error(profile.slope[at], given["theta"]),
-        "moment": error(profile.moment[at], given["M_Nm"]),
-        "shear": error(profile.shear[at], given["V_N"]),
-    }
+
+    def compare(profile: Profile) -> Errors:
+        at = np.searchsorted(profile.depth, depth - 1e-9)
+        np.testing.assert_allclose(profile.depth[at], depth, atol=1e-9)
+        return {
+            "head": abs(profile.y[0] / given["y_m"][0] - 1.0),
+            "y": error(profile.y[at], given["y_m"]),
+            "slope": error(profile.slope[at], given["theta"]),
+            "moment": error(profile.moment[at], given["M_Nm"]),
+            "shear": error(profile.shear[at], given["V_N"]),
+        }
+
+    return ClosedForm(text, compare)
 
 
 CF06_BASES = {
@@ -208,7 +237,7 @@ CF06_BASES = {
 }
 
 
-def cf06(base: str, how: str, folder: Path) -> Errors:
+def cf06(base: str) -> ClosedForm:
     """An elastic pile in linear t-z on one of four bases."""
     ea, kz = 3e9, 20e6
     shaft = f"*TZCURVE\n1 0\n0 1e12 0 {kz / np.pi!r}\n"
@@ -218,30 +247,32 @@ def cf06(base: str, how: str, folder: Path) -> Errors:
         moduli=[0, 0],
         axial=[1, 1],
         casing=[f"0 -25 1 0.1 200e9 7850 EI=1e9 EA={ea!r}"],
-        actions=["*LOAD\nP 1 0 0 0 -1e6", *CF06_BASES[base], how],
+        actions=["*LOAD\nP 1 0 0 0 -1e6", *CF06_BASES[base]],
         extra=shaft,
     )
-    profile, given = Profile(solved(folder, text)), table("CF06_profiles.csv", base)
-    u = CubicHermiteSpline(profile.depth, profile.settlement, -profile.normal / ea)
-    n = CubicHermiteSpline(profile.depth, profile.normal, -kz * profile.settlement)
-    return {
-        "head": abs(profile.settlement[0] / given["u_m"][0] - 1.0),
-        "y": error(u(given["z_m"]), given["u_m"]),
-        "moment": error(n(given["z_m"]), given["N_N"]),
-    }
+    given = table("CF06_profiles.csv", base)
+
+    def compare(profile: Profile) -> Errors:
+        u = CubicHermiteSpline(profile.depth, profile.settlement, -profile.normal / ea)
+        n = CubicHermiteSpline(profile.depth, profile.normal, -kz * profile.settlement)
+        return {
+            "head": abs(profile.settlement[0] / given["u_m"][0] - 1.0),
+            "y": error(u(given["z_m"]), given["u_m"]),
+            "moment": error(n(given["z_m"]), given["N_N"]),
+        }
+
+    return ClosedForm(text, compare)
 
 
-Case = Callable[[str, Path], Errors]
-
-CASES: dict[str, Case] = {
-    **{f"CF01 point {kind}": partial(cf01, kind) for kind in ("load", "moment")},
-    **{f"CF02 {head}": partial(cf02, head) for head in CF02_HEADS},
-    "CF02 stick-up": cf02_stick_up,
+CASES: dict[str, ClosedForm] = {
+    **{f"CF01 point {kind}": cf01(kind) for kind in ("load", "moment")},
+    **{f"CF02 {head}": cf02(head) for head in CF02_HEADS},
+    "CF02 stick-up": cf02_stick_up(),
     **{
-        f"CF04 Zmax {length:g} {head}": partial(cf04, length, head)
+        f"CF04 Zmax {length:g} {head}": cf04(length, head)
         for length in (2.0, 3.0, 4.0, 5.0, 10.0)
         for head in "ABF"
     },
-    **{f"CF05 {load}": partial(cf05, load) for load in CF05_LOADS},
-    **{f"CF06 {base}": partial(cf06, base) for base in CF06_BASES},
+    **{f"CF05 {load}": cf05(load) for load in CF05_LOADS},
+    **{f"CF06 {base}": cf06(base) for base in CF06_BASES},
 }

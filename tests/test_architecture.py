@@ -9,22 +9,25 @@ SOURCE = Path(__file__).parents[1] / "src" / "podeep"
 
 #: Every module, lowest first: a file imports only from files above it in this list.
 ORDER = """
-__init__ arrays errors files units scene
+__init__ arrays errors files units tubes scene
 soil.__init__ soil.group
 deck.__init__ deck.faults deck.scan deck.column deck.curve_columns deck.ground_keywords
 deck.py_keyword deck.tz_keyword deck.structure_keywords deck.action_keywords deck.analysis_keywords
-deck.keywords deck.cells deck.registry deck.curves deck.ground deck.structure deck.actions
+deck.keywords deck.cells deck.registry deck.curves deck.ground deck.structure deck.foundations
+deck.actions deck.ties
 deck.paragraphs deck.read
 soil.law soil.backbone soil.soft_clay soil.sand soil.initial_line soil.stiff_clay soil.weak_rock
 soil.reese_sand soil.iso_clay soil.pisa_fits soil.pisa soil.lateral soil.axial soil.layering
 soil.layers soil.surroundings soil.kinds soil.equivalent soil.reaction soil.profile soil.curves
 soil.lateral_capacity soil.axial_capacity soil.required_length soil.spudcan soil.spudcan_bearing
 soil.spudcan_yield
-beam.__init__ beam.shapes beam.field beam.band
-model.__init__ model.needs model.mesh model.compression model.system model.footing model.assemble
-model.recover model.results model.effects model.grid
-solve.__init__ solve.newton solve.advance solve.yielding solve.statics solve.loaded solve.bordered
-solve.continuation solve.path solve.accuracy solve.analysis solve.diagnosis
+beam.__init__ beam.shapes beam.strings beam.field beam.band
+model.__init__ model.needs model.mesh model.weave model.compression model.contact model.points
+model.system model.many model.footing model.holds model.weight model.assemble model.recover
+model.results model.coupling model.effects model.grid
+solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.statics solve.loaded
+solve.bordered solve.continuation solve.path solve.together solve.prolong solve.across solve.refine
+solve.accuracy solve.analysis solve.diagnosis
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read
 demand embedded capacity

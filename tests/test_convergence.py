@@ -7,7 +7,8 @@ from podeep.arrays import Array
 from podeep.beam.field import Field
 from podeep.model.assemble import assemble, cut, quadrature
 from podeep.model.needs import Needs
-from podeep.model.system import Points, System
+from podeep.model.points import Points
+from podeep.model.system import System
 from podeep.soil.profile import Profile
 from podeep.solve.newton import Limits, newton
 from scenes import linear_ground, reference_pile

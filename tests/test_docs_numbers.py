@@ -94,14 +94,15 @@ def test_numbers_of_soft_clay(tmp_path):
         for load in (100e3, 400e3)
     )
     root = soft("POWER")
-    lost = [1.0 - root.force(s * root.y50) / root.capacity / (0.5 * np.cbrt(s)) for s in (0.01, 8)]
-    slopes = [slope_at_rest(law) for law in (root, soft(), soft("WSD"))]
+    lost = 1.0 - root.force(1e-6 * root.y50) / root.capacity / (0.5 * np.cbrt(1e-6))
+    steep, *slopes = [slope_at_rest(law) for law in (root, soft(), soft("WSD"))]
     says(
         "soft_clay",
         "moves {:.2f} mm with POWER, {:.2f} mm with 2GEO and {:.1f} mm with WSD".format(*low),
         "under 400 kN {:.1f}, {:.1f} and {:.1f} mm".format(*high),
-        f"${power(lost[0][0])}$ of $p$ at $s = 0.01$ and ${power(lost[1][0])}$ at $s = 8$",
-        "{:.0f} $p_u/y_{{50}}$, that of 2GEO {:.1f} and that of WSD {:.1f} $p_u".format(*slopes),
+        f"${power(lost[0])}$ of $p$ at $s = 10^{{-6}}$ and nothing at $s = 0.01$",
+        rf"${power(steep, 1)}\, p_u/y_{{50}}$",
+        "that of 2GEO {:.1f} and that of WSD {:.1f} $p_u".format(*slopes),
         f"for 1/3: {0.5 * 8.0**0.33:.3f} $p_u$",
     )
     top = soft(z=0.0, cyclic=True)
@@ -162,12 +163,12 @@ def test_numbers_of_stiff_clays():
     below, above = (stiff(StiffClayFreeWater, z).derived for z in (0.0911, 0.0912))
     assert below["residual_resistance"] == 0.0 < above["residual_resistance"]
     clay = stiff(StiffClay, 5.0)
-    lost = 1.0 - clay.force(0.01 * clay.y50) / clay.capacity / (0.5 * 0.01**0.25)
+    lost = 1.0 - clay.force(1e-6 * clay.y50) / clay.capacity / (0.5 * 1e-6**0.25)
     more = [replace(clay, cyclic=True, cycles=10.0**n).y50[0] / clay.y50[0] for n in range(4)]
     says(
         "stiff_clay",
-        f"${power(lost[0])}$ of $p$ at $s = 0.01$",
-        f"{round(slope_at_rest(clay), -2):.0f} $p_u/y_{{50}}$ at rest",
+        f"${power(lost[0])}$ of $p$ at $s = 10^{{-6}}$",
+        rf"${power(slope_at_rest(clay), 1)}\, p_u/y_{{50}}$ at rest",
         "is {:g} at $N = 1$, {:.1f} at 10, {:.1f} at 100 and {:.1f} at 1000".format(*more),
     )
 

@@ -15,11 +15,13 @@ from decks import solved
 
 with (Path(__file__).parent / "data" / "valid" / "PR03_table.csv").open() as file:
     ROWS = [{k: float(v) for k, v in row.items()} for row in csv.DictReader(file)]
+MULTIPLIERS = sorted({row["p_multiplier"] for row in ROWS})
+SECOND_ORDER = "*MODEL, PDELTA\n*ACCURACY\n1e-5\n*EXEC\n"
 
 
 def head(folder: Path, text: str) -> tuple[np.ndarray, np.ndarray]:
     """Head displacement and largest |moment| of every step but step 0."""
-    with solved(folder, text + "*MODEL, PDELTA\n*ACCURACY\n1e-5\n*EXEC\n") as database:
+    with solved(folder, text + SECOND_ORDER) as database:
         tube = database.foundation("F1")
         y = tube.read_tube(1, "displacement_x")[1:, 0]
         moment = np.abs(tube.read_tube(1, "moment_y")[1:]).max(axis=1)
@@ -37,20 +39,27 @@ def micropile(held: str, moment: float) -> str:
     )
 
 
-@pytest.mark.parametrize(
-    ("held", "moment", "y", "largest"),
-    [("1 -0.305 RY\n", 0.0, 3.3e-3, 37.3e3), ("", -18.65e3, 8.4e-3, 27.2e3)],
-    ids=["fixed head", "half the moment of a fixed head"],
-)
+MICROPILES = {
+    "fixed head": ("1 -0.305 RY\n", 0.0, 3.3e-3, 37.3e3),
+    "half the moment of a fixed head": ("", -18.65e3, 8.4e-3, 27.2e3),
+}
+
+
+@pytest.mark.parametrize(("held", "moment", "y", "largest"), MICROPILES.values(), ids=MICROPILES)
 def test_the_micropile_of_pr02(tmp_path, held, moment, y, largest):
     found = head(tmp_path, micropile(held, moment))
     np.testing.assert_allclose(found[0], y, rtol=3e-2)
     np.testing.assert_allclose(found[1], largest, rtol=2e-2)
 
 
-@pytest.mark.parametrize("multiplier", sorted({row["p_multiplier"] for row in ROWS}))
-def test_the_abutment_of_pr03(tmp_path, multiplier):
-    rows = [row for row in ROWS if row["p_multiplier"] == multiplier]
+def loads(multiplier: float) -> list[dict[str, float]]:
+    """Printed rows of the abutment's piles of one multiplier."""
+    return [row for row in ROWS if row["p_multiplier"] == multiplier]
+
+
+def abutment(multiplier: float) -> str:
+    """The deck of the abutment's piles, a step for each load."""
+    rows = loads(multiplier)
     steps = "".join(f"{i} H {r['V_N'] / 1e3!r} V 1\n" for i, r in enumerate(rows, start=1))
     stiffness = 29000.0 * 6.894757e6
     curves = "".join(
@@ -61,14 +70,18 @@ def test_the_abutment_of_pr03(tmp_path, multiplier):
             (3, 7.79e3, 36.0, 16287e3),
         )
     )
-    found = head(
-        tmp_path,
+    return (
         "*DEPTH\n0\n*GROUNDEPTH\n0 -3.048 -3.048 -6.096 -6.096 -13.716\n"
         f"{curves}*GROUNDPROP\n1 0 1 0 2 0 2 0 3 0 3 0\n*CASING\n1 HP\n"
         f"0 -13.716 0.310 0.155 {stiffness!r} 7850 EI={stiffness * 569 * 0.0254**4!r} "
         f"EA={stiffness * 21.8 * 0.0254**2!r}\n*FONDATION\n1 1\n*SUPPORT\n1 0 RY\n1 -13.716 Z\n"
-        f"*LOAD\nH 1 0 1000 0 0\nV 1 0 0 0 -1436.8e3\n*QUASISTATIC\n{steps}",
+        f"*LOAD\nH 1 0 1000 0 0\nV 1 0 0 0 -1436.8e3\n*QUASISTATIC\n{steps}"
     )
+
+
+@pytest.mark.parametrize("multiplier", MULTIPLIERS)
+def test_the_abutment_of_pr03(tmp_path, multiplier):
+    rows, found = loads(multiplier), head(tmp_path, abutment(multiplier))
     np.testing.assert_allclose(found[0], [r["y_m_printed"] for r in rows], rtol=1e-2)
     moments = [abs(r["M_head_Nm_printed"]) for r in rows]
     np.testing.assert_allclose(found[1], moments, rtol=5e-3)

@@ -13,8 +13,9 @@ import pytest
 
 from podeep.beam.field import Field
 from podeep.model.assemble import quadrature
-from podeep.model.recover import end_forces, internal_forces
-from podeep.model.system import Points, System
+from podeep.model.points import Points
+from podeep.model.recover import Spread, end_forces, internal_forces
+from podeep.model.system import System
 from podeep.soil.law import Law
 from podeep.soil.reaction import Reaction, Term
 from podeep.solve.newton import Ending, Limits, newton
@@ -83,9 +84,10 @@ def test_a_long_beam_is_pasternaks(components):
     soil, couple = (
         p.reaction.evaluate(field.interpolation(x, d) @ q)[0] for d, p in enumerate(points)
     )
-    ends = end_forces(field, q, soil, every, couple)
+    pressed, turned = Spread(every, soil), Spread(every, couple, "rotation")
+    ends = end_forces(field, q, [pressed, turned], 5)
     shear, bent = internal_forces(ends, at)
     np.testing.assert_allclose(bent, moment, atol=1e-7 * abs(moment).max())
     assert shear[0] == pytest.approx(H, rel=1e-9)
-    without = internal_forces(end_forces(field, q, soil, every), at)[1]
+    without = internal_forces(end_forces(field, q, [pressed], 5), at)[1]
     assert abs(without - moment).max() > 1e-3 * abs(moment).max()  # the couple does count

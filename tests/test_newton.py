@@ -49,14 +49,26 @@ def test_the_search_cuts_a_step_that_overshoots() -> None:
     assert abs(float(step @ residual)) <= 0.5 * 3.0
 
 
+def test_the_search_lengthens_a_step_that_is_short() -> None:
+    """The energy of y^2 / 2 - y: a hundredth of the way to the minimum at 1 is no step."""
+
+    def evaluate(q: Array) -> tuple[Array, Array]:
+        return q, 1.0 - q
+
+    step = np.array([0.01])
+    found, _, residual = search(evaluate, np.zeros(1), step, 0.01)
+    assert 0.5 <= found[0] <= 1.5
+    assert abs(float(step @ residual)) <= 0.5 * 0.01
+
+
 def test_the_reference_pile_takes_few_iterations() -> None:
-    """Ten steps of both problems: 32 factorisations and 52 evaluations when this was written."""
+    """Ten steps of both problems: 21 iterations and 41 evaluations when this was written."""
     ten = solved(reference_pile(numerics=Numerics(elements=13)))
     assert ten.failure is None
-    assert sum(s.iterations for s in ten.states) <= 34
-    assert sum(s.evaluations for s in ten.states) <= 56
+    assert sum(s.iterations for s in ten.states) <= 23
+    assert sum(s.evaluations for s in ten.states) <= 43
     one = solved(reference_pile(steps=1, numerics=Numerics(elements=13)))
-    assert one.states[-1].iterations <= 10
+    assert one.states[-1].iterations <= 7
 
 
 def test_one_step_and_many_end_in_the_same_state() -> None:

@@ -58,7 +58,7 @@ def followed(scene: Scene) -> Solved:
     states, failure, _ = run(discrete, np.array(scene.steps.factors), limits(scene))
     path = follow(discrete, failure, limits(scene))
     whole = (*states, *path.states)
-    unknown = (unestimated(discrete, len(whole)),) * 2
+    unknown = (unestimated(len(whole)),) * 2
     return Solved(discrete, whole, unknown, failure, 1e-3, path)
 
 

@@ -35,16 +35,16 @@ def column(force: float, load: str, held: str = "", *, asked: str = "PDELTA") ->
     )
 
 
-@pytest.mark.parametrize("row", table("CF13_head.csv"), ids=lambda r: f"N {r['N_over_Ncr']:g}")
-@pytest.mark.parametrize(
-    ("load", "held", "names"),
-    [
-        ("100e3 0 0", "", ("y0_H_m", "theta0_H")),
-        ("0 0 0 0 200e3 0", "", ("y0_M_m", "theta0_M")),
-        ("100e3 0 0", "*SUPPORT\n1 0 RY", ("y0_fixed_m", "M0_fixed_Nm")),
-    ],
-    ids=["force", "moment", "fixed"],
-)
+ROWS = table("CF13_head.csv")
+HEADS = {
+    "force": ("100e3 0 0", "", ("y0_H_m", "theta0_H")),
+    "moment": ("0 0 0 0 200e3 0", "", ("y0_M_m", "theta0_M")),
+    "fixed": ("100e3 0 0", "*SUPPORT\n1 0 RY", ("y0_fixed_m", "M0_fixed_Nm")),
+}
+
+
+@pytest.mark.parametrize("row", ROWS, ids=lambda r: f"N {r['N_over_Ncr']:g}")
+@pytest.mark.parametrize(("load", "held", "names"), HEADS.values(), ids=HEADS)
 def test_heads_of_cf13(tmp_path, row, load, held, names):
     with solved(tmp_path, column(row["N_N"], load, held)) as database:
         tube = database.foundation("F1")
@@ -142,6 +142,10 @@ def test_the_report_tells_what_is_missed(tmp_path, capsys):
     text = column(2e7, "100e3 0 0").replace("*MODEL, PDELTA\n", "")
     path.write_text(text.replace("1e-7", "1e-3"))
     assert main(["run", str(path), "-o", str(tmp_path)]) == 0
+    told = " ".join(capsys.readouterr().out.split())
+    assert "P-delta: the normal force adds some" in told
+    path.write_text(text.replace("*ACCURACY", "*MODEL, SMALL\n*ACCURACY").replace("1e-7", "1e-3"))
+    assert main(["run", str(path), "-o", str(tmp_path), "--force"]) == 0
     told = " ".join(capsys.readouterr().out.split())
     assert "no P-delta: the normal force would add some" in told
 

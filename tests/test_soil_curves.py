@@ -90,7 +90,7 @@ class TestSoftClay:
 
     def test_the_power_law_is_the_cube_root_up_to_its_plateau(self):
         law = clay(shape="POWER")
-        s = np.array([0.01, 0.1, 1.0, 7.9])
+        s = np.array([1e-6, 0.01, 0.1, 1.0, 7.9])
         force, stiffness = at(law, *(0.25 * s))
         np.testing.assert_allclose(force, 22.5e3 * np.cbrt(s), rtol=4e-9)
         np.testing.assert_allclose(stiffness, 22.5e3 / 0.75 * s ** (-2 / 3), rtol=2e-8)
@@ -98,7 +98,7 @@ class TestSoftClay:
         np.testing.assert_allclose(plateau[0], 45e3, rtol=1e-14)
         assert plateau[1:].tolist() == [45e3, -45e3]
         assert (flat == 0.0).all()
-        assert at(law, 0.0)[1] == pytest.approx(22.5e3 / 0.25 * 1e4)
+        assert at(law, 0.0)[1] == pytest.approx(22.5e3 / 0.25 * 1e-10 ** (-2 / 3))
 
     def test_an_unknown_shape_is_refused(self):
         with pytest.raises(InvalidData, match="2GEO, WSD, POWER"):

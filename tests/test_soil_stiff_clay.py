@@ -227,10 +227,10 @@ def test_resistance_without_free_water_has_the_mean_strength_in_its_wedge():
 @both
 def test_the_rounded_root_is_as_near_as_its_page_says_and_below_its_plateau(cyclic):
     law = dry(cyclic=cyclic)
-    s = np.array([0.01, 0.1, 1.0, 15.9])
+    s = np.array([1e-6, 0.01, 1.0, 15.9])
     root = 0.5 * law.ultimate_resistance * s**0.25
     error = 1.0 - law.force(s * law.y50) / root
-    assert (error < np.array([3.8e-9, 1e-10, 1e-12, 1e-14])).all()
+    assert (error < np.array([3.8e-9, 1e-14, 1e-14, 1e-14])).all()
     assert error[0] > 3.7e-9
     pu = law.ultimate_resistance
     edge = 16.0 * law.y50 * np.array([1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1e6])

@@ -340,6 +340,7 @@ def test_an_imposed_rotation_is_in_degrees(deck: Path) -> None:
 def test_a_load_along_y_bends_about_x_by_the_right_hand(deck: Path) -> None:
     """FY at the head: it moves to +y, turns about -x, and the moment about x is -FY times arm."""
     changed(deck, "2.2e6  0   0       0   -4.5e6  0", "0  1e6   0       0   0  0")
+    changed(deck, "*EXEC", "*MODEL, SMALL\n*EXEC")
     assert main(["run", str(deck), "-o", str(deck.parent), "-q"]) == 0
     with open_database(deck.with_suffix(".dss")) as database:
         data = database.foundation("F1")

@@ -25,7 +25,7 @@ def deck(spudcan: str, *, support: str = "", across: str = "1e6 0", steps: int =
         f"*SPUDCAN\n{spudcan}\n{support}*LOAD\nDOWN 1 0 0 0 -40e6\nSIDE 1 0 {across} 0\n"
         f"*QUASISTATIC\n1 DOWN 1\n"
         + "".join(f"{i + 1} SIDE {i}\n" for i in range(1, steps + 1))
-        + "*EXEC\n"
+        + "*MODEL, SMALL\n*EXEC\n"
     )
 
 

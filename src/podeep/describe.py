@@ -26,6 +26,8 @@ def scene_report(scene: Scene, notes: tuple[str, ...]) -> str:
     lines = [scene.title or "(no title)", ""]
     for foundation in scene.foundations:
         lines += foundation_lines(scene, foundation)
+    if scene.ties or scene.slidings:
+        lines += ["", "tubes in tubes", *(f"  {line}" for line in tie_lines(scene))]
     lines += ["", "soil"]
     lines += [f"  {line}" for line in ground_lines(scene.ground)]
     lines += ["", "held and loaded"]
@@ -70,6 +72,8 @@ def numerics_lines(scene: Scene) -> Iterator[str]:
         yield "the normal force bends the tubes further (PDELTA)"
     if numerics.shear:
         yield "tubes are soft in shear (SHEAR=ON)"
+    if numerics.weight:
+        yield "tubes have their own weight (WEIGHT=ON)"
     limits = (
         f"at most {newton.iterations} iterations, forces balanced to {newton.force:g} or better"
     )
@@ -88,6 +92,23 @@ def foundation_lines(scene: Scene, foundation: Foundation) -> Iterator[str]:
         )
         for section in tube.sections:
             yield f"    {section_line(section)}"
+
+
+def tie_lines(scene: Scene) -> Iterator[str]:
+    """How tubes that stand in each other hold each other."""
+    for tie in scene.ties:
+        how = "at the two ends" if tie.ends else "all along"
+        yield (
+            f"tube {tie.inner} tied to tube {tie.outer} {how}, "
+            f"{short(tie.top)} to {short(tie.bottom)} m"
+        )
+    for one in scene.slidings:
+        room = "what the diameters leave" if one.clearance is None else f"{short(one.clearance)} m"
+        hard = "rigid" if one.stiffness is None else f"{short(one.stiffness)} N/m2"
+        yield (
+            f"tube {one.inner} slides in tube {one.outer} where nothing ties it: room {room}, "
+            f"contact {hard}, friction {short(one.friction)}"
+        )
 
 
 def section_line(section: Section) -> str:

@@ -1,5 +1,6 @@
 """From solved foundations to a static database: the grid, the quantities, the writing."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,7 +9,7 @@ from .arrays import Array
 from .database.write import Grid
 from .model.grid import output_depths, tube_depths
 from .model.results import Results
-from .scene import Scene
+from .scene import Scene, Section
 from .solve.analysis import Solved
 
 _COMPONENTS = ("x", "y")
@@ -28,22 +29,26 @@ def sheet(scene: Scene, solved: Solved) -> Sheet:
     results, model = solved.results, solved.model
     foundation, axis = model.foundation, model.needs.lateral_axis
     depth = output_depths(results, scene.numerics.accuracy)
-    tube = scene.tubes[foundation.tubes[0]]
     marks = foundation.mudline - np.array(scene.marks(foundation))
-    x = tube_depths(results, depth, marks)
+    numbers = dict(enumerate(foundation.tubes))
+    x = {igr: tube_depths(results, depth, marks, i) for i, igr in numbers.items()}
     grid = Grid(
         name=foundation.name,
         depth=depth,
-        tube=np.full(len(depth), tube.id),
+        tube=np.array(foundation.tubes)[results.outermost(depth)],
         layer=model.profile.layer(depth),
         layer_boundaries=np.array([b for b in model.profile.boundaries if b < depth[-1]]),
         mudline=foundation.mudline,
         lateral_axis=axis,
-        tubes={tube.id: foundation.mudline - x},
+        tubes={igr: foundation.mudline - at for igr, at in x.items()},
     )
     values = {
         **soil_values(results, depth, axis),
-        **{f"tubes/{tube.id}/{k}": v for k, v in tube_values(results, x).items()},
+        **{
+            f"tubes/{igr}/{name}": value
+            for i, igr in numbers.items()
+            for name, value in tube_values(results, x[igr], i).items()
+        },
         **progress_values(solved),
     }
     if scene.steps.names:
@@ -78,24 +83,38 @@ def soil_values(results: Results, depth: Array, axis: float | None) -> dict[str,
     }
 
 
-def tube_values(results: Results, x: Array) -> dict[str, Array]:
-    """Motion and internal forces of a tube at depths x, in global axes with z up."""
-    shear, moment = results.shear_and_moment(x)
-    displacement = results.global_vector(results.deflection(x))
-    turned = results.global_vector(results.rotation(x))
+def tube_values(results: Results, x: Array, tube: int) -> dict[str, Array]:
+    """Motion and internal forces of a tube, by its number, at depths x, in global axes, z up."""
+    shear, moment = results.shear_and_moment(x, tube)
+    displacement = results.global_vector(results.deflection(x, 0, tube))
+    turned = results.global_vector(results.rotation(x, tube))
     shears, moments = results.global_vector(shear), results.global_vector(moment)
+    force = results.compression(x, tube)
     return {
         "displacement_x": displacement[0],
         "displacement_y": displacement[1],
-        "displacement_z": -results.settlement(x),
+        "displacement_z": -results.settlement(x, 0, tube),
         "rotation_x": turned[1],
         "rotation_y": -turned[0],
         "moment_x": -moments[1],
         "moment_y": moments[0],
         "shear_x": shears[0],
         "shear_y": shears[1],
-        "normal_force": results.compression(x),
+        "normal_force": force,
+        "stress": stress(results.sections(x, tube), force, np.hypot(*moments)),
     }
+
+
+def stress(sections: Sequence[Section], force: Array, moment: Array) -> Array:
+    """Largest normal stress over each section, Pa: E (N / EA + M D / 2 EI), all magnitudes.
+
+    force, moment: of each section, shape (..., sections). Strains times E, so that it holds for
+    sections whose stiffness was given.
+    """
+    modulus = np.array([s.youngs_modulus for s in sections])
+    stretch = np.array([s.axial_stiffness for s in sections])
+    bend = np.array([2.0 * s.bending_stiffness / s.outer_diameter for s in sections])
+    return np.asarray(modulus * (np.abs(force) / stretch + moment / bend))
 
 
 def progress_values(solved: Solved) -> dict[str, Array]:

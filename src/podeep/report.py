@@ -22,8 +22,13 @@ def summary(solved: Solved) -> dict[str, Any]:
     results, model = solved.results, solved.model
     x = np.sort(np.concatenate([model.edges, model.lateral.system.points[0].x]))
     head = x[:1]
-    moment = largest(results.shear_and_moment(x)[1][-1])
-    place = int(np.argmax(moment))
+    bent = [
+        (float(m[i := int(np.argmax(m))]), float(at[i]), igr)
+        for tube, igr in enumerate(model.foundation.tubes)
+        for at in [results.along(tube, x)]
+        for m in [largest(results.shear_and_moment(at, tube)[1][-1])]
+    ]
+    moment, place, igr = max(bent)
     last = [(e.displacement[-1], e.reaction[-1], e.moment[-1]) for e in solved.estimates]
     displacements, reactions, moments = np.array(last).T.tolist()
     return {
@@ -37,13 +42,16 @@ def summary(solved: Solved) -> dict[str, Any]:
         "iterations": sum(s.iterations for s in solved.states),
         "head_lateral_displacement_m": float(largest(results.deflection(head)[-1])[0]),
         "head_axial_displacement_m": float(results.settlement(head)[-1, 0]),
-        "largest_moment_Nm": float(moment[place]),
-        "largest_moment_depth_m": float(x[place]),
+        "largest_moment_Nm": moment,
+        "largest_moment_depth_m": place,
+        "largest_moment_tube": igr,
+        "tubes": len(model.foundation.tubes),
         "estimated_error_displacement": max(displacements),
         "estimated_error_reaction": max(reactions),
         "estimated_error_moment": max(moments),
         "largest_estimated_error": solved.error,
         "spudcan": spudcan(solved),
+        "contacts": contacts(solved),
         "path": beyond_peak(solved),
     }
 
@@ -68,6 +76,33 @@ def beyond_peak(solved: Solved) -> dict[str, Any] | None:
         "last_factors": last.factors.tolist(),
         "end": path.end.value,
     }
+
+
+def contacts(solved: Solved) -> list[dict[str, Any]]:
+    """Where tubes press against each other in the last step: their ids, depths, largest force.
+
+    first, last: depths of the topmost and the lowest contact, None where there is none.
+    """
+    model, found = solved.model, []
+    pairs = zip(model.lateral.system.points, solved.results.point_forces, strict=True)
+    pressing: dict[tuple[int, int], list[tuple[Array, Array]]] = {}
+    for points, forces in pairs:
+        if points.against is not None and isinstance(points.tube, int):
+            pair = model.foundation.tubes[points.against], model.foundation.tubes[points.tube]
+            pressing.setdefault(pair, []).append((points.x, largest(forces[-1])))
+    for (outer, inner), parts in pressing.items():
+        x, force = (np.concatenate(each) for each in zip(*parts, strict=True))
+        closed = x[force > 0.0]
+        found.append(
+            {
+                "outer": outer,
+                "inner": inner,
+                "first_m": float(closed.min()) if closed.size else None,
+                "last_m": float(closed.max()) if closed.size else None,
+                "largest_N_per_m": float(force.max()),
+            }
+        )
+    return found
 
 
 def spudcan(solved: Solved) -> dict[str, float | None] | None:
@@ -101,6 +136,7 @@ def run_report(numbers: dict[str, Any]) -> str:
     """The summary of a foundation in words."""
     n = numbers
     under = n["spudcan"]
+    which = f" in tube {n['largest_moment_tube']}" if n["tubes"] > 1 else ""
     carried = []
     if under is not None:
         carried = [
@@ -120,15 +156,27 @@ def run_report(numbers: dict[str, Any]) -> str:
             *(line for text in _path_lines(n["path"]) for line in folded(text)),
             f"    last step: head displaced {short(n['head_lateral_displacement_m'])} m, "
             f"settled {short(n['head_axial_displacement_m'])} m",
-            f"    largest moment {short(n['largest_moment_Nm'])} N m at "
+            f"    largest moment {short(n['largest_moment_Nm'])} N m{which} at "
             f"{n['largest_moment_depth_m']:.2f} m below the mudline",
             f"    estimated errors: displacement {n['estimated_error_displacement']:.1e}, "
             f"reaction {n['estimated_error_reaction']:.1e}, "
             f"moment {n['estimated_error_moment']:.1e}",
             f"    largest in any step {n['largest_estimated_error']:.1e}",
-            *(line for text in carried for line in folded(text)),
+            *(line for text in (*carried, *touching(n["contacts"])) for line in folded(text)),
         ]
     )
+
+
+def touching(contacts: Sequence[dict[str, Any]]) -> Iterator[str]:
+    """A line for each two tubes that may touch."""
+    for one in contacts:
+        where = "do not touch"
+        if one["first_m"] is not None:
+            where = (
+                f"touch between {one['first_m']:.2f} and {one['last_m']:.2f} m below the mudline, "
+                f"up to {short(one['largest_N_per_m'])} N/m"
+            )
+        yield f"    tubes {one['outer']} and {one['inner']} {where}"
 
 
 def _path_lines(path: dict[str, Any] | None) -> Iterator[str]:

@@ -11,7 +11,7 @@ from .checks import warnings as risks_in
 from .database.target import check_target
 from .database.write import Writer
 from .deck.read import Deck, read_deck
-from .errors import Fault, Interrupted, UserError
+from .errors import AnalysisFailed, Fault, Interrupted, UserError
 from .files import make_folder
 from .record import Sheet, sheet
 from .report import run_report, step_table, summary
@@ -113,6 +113,9 @@ def run_deck(
         return Run(path, scene.title, (), None, "", risks)
     solved = on_one_path(scene, tuple(until_interrupted(scene)))
     names = scene.steps.names
+    for one in solved:
+        if one.failure and not one.states:
+            raise AnalysisFailed(explain(one, one.failure, names))
     failure = "\n".join(explain(s, s.failure, names) for s in solved if s.failure)
     sheets = [sheet(scene, s) for s in solved]
     interrupted = solved[-1].interrupted

@@ -6,119 +6,20 @@ data that are legal but risky are the business of `checks`.
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from math import pi
 from types import MappingProxyType
 from typing import Literal
 
 from .errors import InvalidData
+from .tubes import Section as Section
+from .tubes import Sliding as Sliding
+from .tubes import Tie as Tie
+from .tubes import Tube as Tube
 
 Dof = Literal["X", "Y", "Z", "RX", "RY", "RZ"]
 DOFS: tuple[Dof, ...] = ("X", "Y", "Z", "RX", "RY", "RZ")
 Interpolation = Literal["PARAMETERS", "LOADS"]
 Layering = Literal["NONE", "GEORGIADIS"]
 Overburden = Literal["OWN", "ACTUAL"]
-
-
-@dataclass(frozen=True, slots=True)
-class Section:
-    """A stretch of tube between two elevations; overrides replace what the geometry gives."""
-
-    top: float
-    bottom: float
-    outer_diameter: float
-    wall_thickness: float
-    youngs_modulus: float
-    density: float
-    poisson_ratio: float = 0.3
-    bending_stiffness_override: float | None = None
-    axial_stiffness_override: float | None = None
-    shear_stiffness_override: float | None = None
-    mass_override: float | None = None
-    added_mass_coefficient: float = 0.0
-    fill_density: float = 0.0
-
-    def __post_init__(self) -> None:
-        if not self.top > self.bottom:
-            raise InvalidData(
-                f"the section's top {self.top:g} m is not above its bottom {self.bottom:g} m",
-                "give ZTOP above ZBOT, both as elevations from sea level",
-                "ZBOT",
-            )
-        if not 0.0 < self.wall_thickness <= 0.5 * self.outer_diameter:
-            raise InvalidData(
-                f"a wall of {self.wall_thickness:g} m does not fit in an outer diameter of "
-                f"{self.outer_diameter:g} m",
-                "the wall lies between 0 and half the outer diameter (a solid bar)",
-                "WT",
-            )
-
-    @property
-    def inner_diameter(self) -> float:
-        return self.outer_diameter - 2.0 * self.wall_thickness
-
-    @property
-    def area(self) -> float:
-        return pi / 4.0 * (self.outer_diameter**2 - self.inner_diameter**2)
-
-    @property
-    def second_moment(self) -> float:
-        return pi / 64.0 * (self.outer_diameter**4 - self.inner_diameter**4)
-
-    @property
-    def bending_stiffness(self) -> float:
-        """EI, N m2."""
-        override = self.bending_stiffness_override
-        return self.youngs_modulus * self.second_moment if override is None else override
-
-    @property
-    def axial_stiffness(self) -> float:
-        """EA, N."""
-        override = self.axial_stiffness_override
-        return self.youngs_modulus * self.area if override is None else override
-
-    @property
-    def shear_stiffness(self) -> float:
-        """GAs, N, of a hollow circle by Cowper, J. Appl. Mech. 33 (1966), unless it is given."""
-        if self.shear_stiffness_override is not None:
-            return self.shear_stiffness_override
-        nu, m = self.poisson_ratio, (self.inner_diameter / self.outer_diameter) ** 2
-        share = 6.0 * (1.0 + nu) * (1.0 + m) ** 2
-        share /= (7.0 + 6.0 * nu) * (1.0 + m) ** 2 + (20.0 + 12.0 * nu) * m
-        return share * self.area * self.youngs_modulus / (2.0 * (1.0 + nu))
-
-    @property
-    def mass(self) -> float:
-        """Mass of the tube alone, kg/m."""
-        return self.density * self.area if self.mass_override is None else self.mass_override
-
-
-@dataclass(frozen=True, slots=True)
-class Tube:
-    """A casing: sections from top to tip without gaps."""
-
-    id: int
-    name: str
-    sections: tuple[Section, ...]
-
-    def __post_init__(self) -> None:
-        if not self.sections:
-            raise InvalidData(f"tube {self.id} has no section", "give at least one row", "IGR")
-        for above, below in zip(self.sections, self.sections[1:], strict=False):
-            if abs(above.bottom - below.top) > 1e-9:
-                raise InvalidData(
-                    f"a section starts at {below.top:g} m, the one above it ends at "
-                    f"{above.bottom:g} m",
-                    "sections follow each other from top to bottom without gap or overlap",
-                    "ZTOP",
-                )
-
-    @property
-    def top(self) -> float:
-        return self.sections[0].top
-
-    @property
-    def tip(self) -> float:
-        return self.sections[-1].bottom
 
 
 @dataclass(frozen=True, slots=True)
@@ -315,16 +216,17 @@ class Numerics:
 
     axial_curves: t-z and Q-z act; otherwise supports alone carry the tubes along z. second_order:
     the normal force works on the slope (P-delta). shear: tubes are soft in shear. components:
-    lateral deflections that are solved, 1 in a plane or 2. follow_path: statics go on beyond a
-    peak, with loads that fall.
+    lateral deflections that are solved, 1 in a plane or 2. weight: tubes have their own weight.
+    follow_path: statics go on beyond a peak, with loads that fall.
     """
 
     accuracy: float = 1e-3
     elements: int | None = None
     degree: int | None = None
     axial_curves: bool = True
-    second_order: bool = False
+    second_order: bool | None = None
     shear: bool = False
+    weight: bool = False
     components: Literal[1, 2] | None = None
     follow_path: bool = False
 
@@ -354,14 +256,21 @@ class Scene:
     newton: Newton = Newton()
     numerics: Numerics = Numerics()
     sea: Sea = Sea()
+    ties: tuple[Tie, ...] = ()
+    slidings: tuple[Sliding, ...] = ()
 
     def spudcan(self, foundation: Foundation) -> Spudcan | None:
-        """The spudcan under a foundation's outermost tube, if it has one."""
-        return next((s for s in self.spudcans if s.tube == foundation.tubes[0]), None)
+        """The spudcan under a foundation, if it has one."""
+        return next((s for s in self.spudcans if s.tube in foundation.tubes), None)
+
+    def tip(self, foundation: Foundation) -> float:
+        """Elevation of a foundation's lowest tip, m."""
+        return min(self.tubes[tube].tip for tube in foundation.tubes)
 
     def marks(self, foundation: Foundation) -> tuple[float, ...]:
-        """Elevations at which something holds or drives the foundation's tubes, rising, m."""
+        """Elevations at which something holds, ties or drives the tubes, rising, m."""
         places = (
+            *((t.inner, z) for t in self.ties for z in (t.top, t.bottom)),
             *((s.tube, s.elevation) for s in self.supports),
             *((s.tube, s.elevation) for s in self.springs),
             *((load.tube, load.elevation) for load in self.loads),

@@ -18,7 +18,7 @@ def main(how: str = "*MODEL ELEMENTS=40") -> None:
     print(f"{'case':<30}" + "".join(f"{c:>10}" for c in COLUMNS))
     with tempfile.TemporaryDirectory() as folder:
         for name, case in CASES.items():
-            errors = case(how, Path(folder))
+            errors = case.errors(how, Path(folder))
             cells = (f"{errors[c]:10.1e}" if c in errors else f"{'':>10}" for c in COLUMNS)
             print(f"{name:<30}" + "".join(cells))
 

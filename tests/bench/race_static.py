@@ -3,187 +3,142 @@
     pip install "podeep[bench]" && python tests/bench/race_static.py
 
 The scene is a steel tube of 2 m by 50 mm, 10 m free and 40 m embedded, in cube-root clay over API
-sand with t-z and Q-z of API RP 2GEO, loaded by 2 MN across and 5 MN down in ten steps. OpenSees
-has Euler-Bernoulli elements of equal length, two springs for each node on a layer boundary, curves
-of 400 points from the same laws, and its band solver; its number of elements is the first of a
-series whose head displacement and largest moment are both within the error asked. Its building is
-not counted. Times are CPU times of the ten steps in one process, the programs taking turns; the
-figures are medians, and the ratio is that of the medians.
+sand with t-z and Q-z of API RP 2GEO, loaded by 2 MN across and 5 MN down in ten steps. For each
+error asked, OpenSees has its coarsest mesh that is within it. We have the fastest of the fewest
+elements of degree 3, 5 and 7, and up to three more, that are within it, as two finer meshes are.
+`our_pile.py` and `opensees_pile.py` tell how both are measured; figures are medians, and a ratio
+is that of medians.
 """
 
 import argparse
-import platform
 import statistics
-import time
-from collections.abc import Callable
-from dataclasses import replace
-from importlib.metadata import version
+from collections.abc import Iterator
 from pathlib import Path
 from sys import path
 
 import numpy as np
 import openseespy.opensees as ops
 
-path.insert(0, str(Path(__file__).parents[1]))
-from podeep.model.results import Results
-from podeep.scene import Numerics
-from podeep.soil.profile import Profile
-from podeep.soil.reaction import Reaction
-from podeep.solve.analysis import limits, run, solve
-from scenes import reference_pile
+path.insert(0, str(Path(__file__).parent))
+from opensees_pile import build_opensees, meshes, opensees_values
+from our_pile import (
+    DEGREES,
+    STEPS,
+    TOLERANCE,
+    Mesh,
+    converged,
+    cpu,
+    error,
+    in_turns,
+    machine,
+    model_of,
+    our_values,
+    scene_of,
+    states_of,
+    steps_of,
+    whole_of,
+)
 
-STEPS, FREE, EMBEDDED, DIAMETER = 10, 10.0, 40.0, 2.0
-TOLERANCE = 1e-7  # of OpenSees' residual over the load; less stalls on rounding
+from podeep.solve.accuracy import estimate
+from podeep.solve.analysis import rebuilt
 
-
-def largest_values(elements: int, degree: int) -> tuple[float, float, Callable[[], object], int]:
-    """Head displacement, largest moment, the timed solve and the number of elements of ours."""
-    scene = reference_pile(steps=STEPS, numerics=Numerics(elements=elements, degree=degree))
-    solved = solve(scene, scene.foundations[0])
-    results: Results = solved.results
-    x = np.linspace(0.0, EMBEDDED, 20001)
-    moment = np.abs(results.shear_and_moment(x)[1][-1]).max()
-    head = float(results.deflection(np.array([-FREE]))[-1, 0, 0])
-    factors = np.array(scene.steps.factors)
-    limit = replace(limits(scene), residual=TOLERANCE)
-    return head, float(moment), lambda: run(solved.model, factors, limit), solved.model.elements
-
-
-def spring(number: int, reaction: Reaction, share: float, reach: float) -> None:
-    """An OpenSees material through 400 points of a reaction times a share."""
-    half = reach * np.sinh(np.linspace(0.0, 14.0, 201)[1:]) / np.sinh(14.0)
-    u = np.concatenate([-half[::-1], [0.0], half])
-    force = share * reaction.evaluate(u[:, None])[0][:, 0]
-    ops.uniaxialMaterial("ElasticMultiLinear", number, "-strain", *u, "-stress", *force)
+#: Components of the deflection, dimensions of OpenSees, and the errors asked.
+RACES = ((1, 2, (1.5e-4, 3e-5)), (2, 3, (1.5e-4,)))
+SIZES = (10, 30, 100, 300, 1000, 3000, 10_000)
+_SURE = 2  # finer meshes of ours that are within an error, too
+_MORE = 3  # elements more than the fewest that may be faster
 
 
-def build_opensees(elements: int, dimensions: int) -> None:
-    """The same pile on lumped springs; `elements` is the number below the mudline."""
-    scene = reference_pile()
-    section, profile = scene.tubes[1].sections[0], Profile(scene.ground)
-    h = EMBEDDED / elements
-    nodes = elements + round(FREE / h)
-    ops.wipe()
-    ops.model("basic", "-ndm", dimensions, "-ndf", 3 if dimensions == 2 else 6)
-    up = 1 if dimensions == 2 else 2  # index of the vertical axis
-    for i in range(nodes + 1):
-        ops.node(i, *[0.0] * up, h * i - EMBEDDED)
-    ea, ei = section.axial_stiffness, section.bending_stiffness
-    modulus = section.youngs_modulus
-    area, inertia = ea / modulus, ei / modulus
-    if dimensions == 2:
-        ops.geomTransf("Linear", 1)
-        for i in range(nodes):
-            ops.element("elasticBeamColumn", i, i, i + 1, area, modulus, inertia, 1)
-    else:
-        ops.geomTransf("Linear", 1, 0.0, 1.0, 0.0)
-        gj = modulus / 2.6
-        for i in range(nodes):
-            ops.element(
-                *("elasticBeamColumn", i, i, i + 1, area, modulus, gj, 2 * inertia),
-                *(inertia, inertia, 1),
-            )
-    material = 0
-    for i in range(elements + 1):
-        depth = EMBEDDED - h * i
-        sides = [(depth - 1e-9, depth > 0.0), (depth + 1e-9, depth < EMBEDDED)]
-        ground = 100_000 + i
-        ops.node(ground, *ops.nodeCoord(i))
-        ops.fix(ground, *[1] * (3 if dimensions == 2 else 6))
-        for k, (z, present) in enumerate(sides):
-            if not present:
-                continue
-            at, width = np.array([abs(z)]), np.array([DIAMETER])
-            materials, directions = [], []
-            lateral = range(1, dimensions)
-            spring(material := material + 1, profile.lateral(at, width), 0.5 * h, 5.0)
-            for direction in lateral:
-                materials.append(material)
-                directions.append(direction)
-            spring(material := material + 1, profile.shaft(at, width), 0.5 * h, 1.0)
-            materials.append(material)
-            directions.append(dimensions)
-            ops.element(
-                *("zeroLength", 200_000 + 2 * i + k, ground, i, "-mat", *materials),
-                *("-dir", *directions),
-            )
-    # -z is down: the tip's curve is mirrored
-    half = np.sinh(np.linspace(0.0, 14.0, 401)) / np.sinh(14.0)
-    tip = profile.tip(EMBEDDED, DIAMETER).evaluate(half[:, None])[0][:, 0]
-    material += 1
-    ops.uniaxialMaterial(
-        *("ElasticMultiLinear", material, "-strain", *(-half[::-1]), 1.0),
-        *("-stress", *(-tip[::-1]), 1e-6),
+def fewest(components: int, degree: int, asked: float) -> int:
+    """The fewest elements within an error, as the next ones are."""
+    good: list[int] = []
+    for n in range(3, 100):
+        good = [*good, n] if error(our_values(Mesh(components, n, degree))) <= asked else []
+        if len(good) > _SURE:
+            return good[0]
+    raise RuntimeError(f"no mesh of degree {degree} is within {asked:g}")
+
+
+def fastest(components: int, asked: float, rounds: int) -> Mesh:
+    """The fastest of our settings within an error."""
+    settings = [
+        Mesh(components, least + more, degree)
+        for degree in DEGREES
+        for least in [fewest(components, degree, asked)]
+        for more in range(_MORE + 1)
+    ]
+    settings = [mesh for mesh in settings if error(our_values(mesh)) <= asked]
+    times = in_turns([steps_of(mesh) for mesh in settings], rounds)
+    return min(zip(times, settings, strict=True), key=lambda pair: pair[0])[1]
+
+
+def coarsest(dimensions: int, asked: float) -> tuple[int, float]:
+    """The first mesh of OpenSees within an error, and its error."""
+    found: Iterator[tuple[int, float]] = (
+        (n, error(opensees_values(n, dimensions))) for n in meshes()
     )
-    ops.element("zeroLength", 300_000, 100_000, 0, "-mat", material, "-dir", dimensions)
-    if dimensions == 3:
-        ops.fix(0, 0, 0, 0, 0, 0, 1)
-    ops.timeSeries("Linear", 1)
-    ops.pattern("Plain", 1, 1)
-    down = [2e6, -5e6, 0.0] if dimensions == 2 else [2e6, 0.0, -5e6, 0.0, 0.0, 0.0]
-    ops.load(nodes, *down)
-    ops.constraints("Plain")
-    ops.numberer("RCM")
-    ops.system("BandSPD")
-    ops.test("NormUnbalance", TOLERANCE * 5.4e6, 50)
-    ops.algorithm("Newton")
-    ops.integrator("LoadControl", 1.0 / STEPS)
-    ops.analysis("Static")
+    return next(pair for pair in found if pair[1] <= asked)
 
 
-def opensees_values(elements: int, dimensions: int) -> tuple[float, float]:
-    """Head displacement and largest moment; infinite where no equilibrium is found."""
-    build_opensees(elements, dimensions)
-    if ops.analyze(STEPS) != 0:
-        return np.inf, np.inf
-    nodes = elements + round(FREE * elements / EMBEDDED)
-    which = 2 if dimensions == 2 else 4
-    moments = [abs(ops.eleForce(i)[which]) for i in range(nodes)]
-    return ops.nodeDisp(nodes, 1), max(moments)
+def race(components: int, dimensions: int, asked: float, rounds: int) -> None:
+    """Our steps against theirs, in turns."""
+    mesh, (elements, miss) = fastest(components, asked, rounds), coarsest(dimensions, asked)
+    body = steps_of(mesh)
+    spent: tuple[list[float], list[float]] = ([], [])
+    for _ in range(rounds):
+        build_opensees(elements, dimensions)
+        spent[0].append(cpu(lambda: ops.analyze(STEPS)))
+        spent[1].append(cpu(body))
+    theirs, ours = (statistics.median(times) for times in spent)
+    print(f"\nwithin {asked:g}, {'planar' if dimensions == 2 else 'spatial'}:", end=" ")
+    print(f"{theirs / ours:.1f} times faster")
+    print(f"  OpenSees {dimensions}-D, {elements} embedded elements:", end=" ")
+    print(f"error {miss:.1e}, {1e3 * theirs:.2f} ms")
+    print(f"  {mesh.name}: error {error(our_values(mesh)):.1e}, {1e3 * ours:.2f} ms")
 
 
-def cpu(body: Callable[[], object]) -> float:
-    start = time.process_time()
-    body()
-    return time.process_time() - start
+def shares(rounds: int) -> None:
+    """What 1e-6 takes over 1e-4, and what the estimate of the error adds."""
+    loose, tight = fastest(1, 1e-4, rounds), fastest(1, 1e-6, rounds)
+    scene, model = scene_of(loose), model_of(loose)
+    richer, states = rebuilt(scene, model, model.edges, 1), states_of(loose)
+    bodies = (steps_of(loose), steps_of(tight), lambda: estimate(model, richer, states, 1e-4))
+    first, second, third, whole = in_turns((*bodies, whole_of(loose)), rounds)
+    print(f"\nwithin 1e-4: {loose.name}, {1e3 * first:.2f} ms")
+    print(f"within 1e-6: {tight.name}, {1e3 * second:.2f} ms, {second / first:.2f} times as long")
+    print(f"estimate of the error within 1e-4: {1e3 * third:.2f} ms, {third / first:.2f} of that,")
+    print(f"  {third / whole:.2f} of all that it takes with building, {1e3 * whole:.1f} ms")
+
+
+def growth() -> None:
+    """Time against elements of a mesh that is given, and the exponent from one to the next."""
+    print("\nelements of degree 5: ms of the steps; of building, steps and estimate")
+    last: tuple[int, list[float]] | None = None
+    for n in SIZES:
+        mesh = Mesh(1, n, 5)
+        times = in_turns((steps_of(mesh), whole_of(mesh)), max(3, min(15, 3000 // n)))
+        line = "".join(f"{1e3 * t:12.1f}" for t in times)
+        if last:
+            ratio = np.log(n / last[0])
+            powers = [np.log(a / b) / ratio for a, b in zip(times, last[1], strict=True)]
+            line += "   exponents" + "".join(f"{p:7.2f}" for p in powers)
+        print(f"{n:8d}{line}")
+        last = n, times
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--rounds", type=int, default=21)
-    parser.add_argument("--error", type=float, default=1e-4)
-    options = parser.parse_args()
-    head, moment, _, _ = largest_values(60, 7)
-
-    def error(values: tuple[float, float]) -> float:
-        return max(abs(values[0] / head - 1.0), abs(values[1] / moment - 1.0))
-
-    print(f"{platform.processor() or platform.machine()}, Python {platform.python_version()}")
-    print(", ".join(f"{p} {version(p)}" for p in ("podeep", "numpy", "scipy", "openseespy")))
+    parser.add_argument("--rounds", type=int, default=41)
+    rounds = parser.parse_args().rounds
+    head, moment = converged()
+    print(machine())
     print(f"converged: head {head:.8f} m, largest moment {moment / 1e6:.6f} MN m")
-    ours = []
-    for elements, degree in ((13, 3), (8, 5), (13, 5)):
-        y, m, body, count = largest_values(elements, degree)
-        ours.append(
-            (f"podeep, {count - 1} embedded elements of degree {degree}", error((y, m)), body)
-        )
-    series = range(40, 400, 8)  # a node stands on the layer boundary
-    for dimensions in (2, 3):
-        found = next(n for n in series if error(opensees_values(n, dimensions)) <= options.error)
-        name = f"OpenSees {dimensions}-D, {found} embedded elements"
-        rival = error(opensees_values(found, dimensions))
-        times: list[list[float]] = [[] for _ in range(len(ours) + 1)]
-        for _ in range(options.rounds):
-            build_opensees(found, dimensions)
-            times[0].append(cpu(lambda: ops.analyze(STEPS)))
-            for spent, (_, _, body) in zip(times[1:], ours, strict=True):
-                spent.append(cpu(body))
-        base = statistics.median(times[0])
-        print(f"\n{name}: error {rival:.1e}, {1e3 * base:.2f} ms")
-        for spent, (label, miss, _) in zip(times[1:], ours, strict=True):
-            median = statistics.median(spent)
-            ratio = f"{base / median:.1f} times faster"
-            print(f"{label}: error {miss:.1e}, {1e3 * median:.2f} ms, {ratio}")
+    print(f"ten steps, residual {TOLERANCE:g} of the load, medians of {rounds} runs in turns")
+    for components, dimensions, asked in RACES:
+        for wanted in asked:
+            race(components, dimensions, wanted, rounds)
+    shares(rounds)
+    growth()
 
 
 if __name__ == "__main__":

@@ -5,6 +5,11 @@ from scipy import sparse
 
 from ..arrays import Array, Index
 
+try:  # a private name of SciPy, which spares a call what its public product spends on checks
+    from scipy.sparse._sparsetools import csr_matvec as _csr_matvec
+except ImportError:
+    _csr_matvec = None  # type: ignore[assignment]  # the public product is used
+
 
 def band_place(rows: Index, columns: Index, width: int) -> Index:
     """Position of the entry (row, column), row >= column, in Fortran-order band storage.
@@ -55,3 +60,12 @@ def general_band(lower: Array) -> Array:
     for d in range(1, width):
         whole[middle - d, d:] = lower[d, : n - d]
     return whole
+
+
+def add_product(matrix: sparse.csr_array, x: Array, total: Array) -> None:
+    """Add matrix @ x to a total, in place."""
+    if _csr_matvec is None:
+        total += matrix @ x
+    else:
+        rows, columns = matrix.shape
+        _csr_matvec(rows, columns, matrix.indptr, matrix.indices, matrix.data, x, total)

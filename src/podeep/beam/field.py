@@ -1,4 +1,4 @@
-"""A displacement field over the elements of one tube: degrees of freedom, interpolation, energy.
+"""A displacement field over the elements of tubes: degrees of freedom, interpolation, energy.
 
 The same class is the deflection of a beam (continuity 1, stiffness EI) and its stretch
 (continuity 0, stiffness EA). Its coordinate x is the depth below the mudline, positive down and
@@ -14,18 +14,19 @@ import numpy as np
 from scipy import sparse
 
 from ..arrays import Array, Index
-from .shapes import gauss_points, nodal_functions, shape_functions
+from .shapes import functions_at_gauss_points, gauss_points, nodal_functions, shape_functions
+from .strings import Strings, chain
 
 Motion = Literal["value", "slope", "rotation"]
 
 
 @dataclass(frozen=True)
 class Field:
-    """One scalar displacement, piecewise polynomial.
+    """One scalar displacement of each tube, piecewise polynomial.
 
-    edges: element boundaries, shape (elements + 1,), rising, m. stiffness: EI (N m2) or EA (N) of
-    each element. `dofs` numbers the unknowns from the top down; internal unknowns of an element
-    stand between those of its two nodes, which keeps the band as narrow as it can be.
+    edges: element boundaries, shape (intervals + 1,), rising, m. stiffness: EI (N m2) or EA (N) of
+    each element. woven: how the elements of several tubes meet; None is one tube. `dofs` numbers
+    the unknowns from the top down.
 
     shear_stiffness: GAs (N) of each element; None is a tube rigid in shear. With it the second
     unknown of a node is the rotation psi of the section, not the slope. Moment and shear force
@@ -42,10 +43,21 @@ class Field:
     continuity: int
     slope_length: float = 1.0
     shear_stiffness: Array | None = None
+    woven: Strings | None = None
+
+    @cached_property
+    def strings(self) -> Strings:
+        return self.woven or chain(len(self.edges) - 1)
+
+    @cached_property
+    def tops(self) -> Array:
+        """Depth of the top of each element, m."""
+        return self.edges[self.strings.interval]
 
     @cached_property
     def lengths(self) -> Array:
-        return np.diff(self.edges)
+        """Length of each element, m."""
+        return np.diff(self.edges)[self.strings.interval]
 
     @cached_property
     def nodal(self) -> int:
@@ -60,17 +72,17 @@ class Field:
     @cached_property
     def dofs(self) -> Index:
         """Unknowns of each element, shape (elements, local)."""
-        first = np.arange(len(self.lengths)) * (self.local - self.nodal)
-        return first[:, None] + np.arange(self.local)
+        return self.strings.number(self.nodal, self.local - 2 * self.nodal)
 
     @cached_property
     def size(self) -> int:
-        return int(self.dofs[-1, -1]) + 1
+        return int(self.dofs.max()) + 1
 
-    def node(self, x: float) -> int:
-        """First unknown (the value) of the node nearest to x; slopes follow it."""
-        index = int(np.argmin(np.abs(self.edges - x)))
-        return index * (self.local - self.nodal)
+    def node(self, x: float, tube: int = 0) -> int:
+        """First unknown (the value) of the node of a tube nearest to x; slopes follow it."""
+        joint = self.strings.joint(int(np.argmin(np.abs(self.edges - x))), tube)
+        element, end = np.argwhere(self.strings.joints == joint)[0]
+        return int(self.dofs[element, -self.nodal if end else 0])
 
     @cached_property
     def scale(self) -> Array:
@@ -82,10 +94,10 @@ class Field:
             scale[:, -1] = slope
         return scale
 
-    def elements(self, x: Array) -> Index:
-        """Element that holds each x; a shared edge belongs to the element above it."""
+    def elements(self, x: Array, tube: Index | int = 0) -> Index:
+        """Element of a tube that holds each x; a shared edge belongs to the element above it."""
         inner = np.searchsorted(self.edges[1:-1], x, side="left")
-        return np.asarray(inner, dtype=np.intp)
+        return self.strings.element(inner, tube)
 
     @cached_property
     def softness(self) -> Array:
@@ -136,27 +148,32 @@ class Field:
             return values
         return np.asarray((values[:, None, :] @ self.mixture[element])[:, 0])
 
-    def interpolation(self, x: Array, derivative: int = 0) -> sparse.csr_array:
-        """Matrix (len(x), size) from unknowns to the field, or a derivative d/dx of it, at x."""
-        element, xi = self._inside(x)
+    def interpolation(
+        self, x: Array, derivative: int = 0, tube: Index | int = 0
+    ) -> sparse.csr_array:
+        """Matrix (len(x), size) from unknowns to the field, or a derivative d/dx of it, at x.
+
+        tube: its number, one or for each x.
+        """
+        element, xi = self._inside(x, tube)
         values = shape_functions(xi, self.continuity, self.degree, derivative)
         return self._matrix(values, element, derivative)
 
-    def rotation(self, x: Array) -> sparse.csr_array:
+    def rotation(self, x: Array, tube: Index | int = 0) -> sparse.csr_array:
         """Matrix (len(x), size) from unknowns to the rotation psi of the section at x."""
-        element, xi = self._inside(x)
+        element, xi = self._inside(x, tube)
         return self._matrix(self._turned(xi, element, 0), element, 1)
 
-    def motion(self, x: Array, motion: Motion) -> sparse.csr_array:
+    def motion(self, x: Array, motion: Motion, tube: Index | int = 0) -> sparse.csr_array:
         """Matrix (len(x), size) from unknowns to a motion at x."""
         if motion == "rotation":
-            return self.rotation(x)
-        return self.interpolation(x, int(motion == "slope"))
+            return self.rotation(x, tube)
+        return self.interpolation(x, int(motion == "slope"), tube)
 
-    def _inside(self, x: Array) -> tuple[Index, Array]:
+    def _inside(self, x: Array, tube: Index | int) -> tuple[Index, Array]:
         """Element that holds each x, and the place in it from -1 to 1."""
-        element = self.elements(x)
-        return element, (x - self.edges[element]) / (0.5 * self.lengths[element]) - 1.0
+        element = self.elements(x, tube)
+        return element, (x - self.tops[element]) / (0.5 * self.lengths[element]) - 1.0
 
     def _matrix(self, values: Array, element: Index, derivative: int) -> sparse.csr_array:
         """From values of unmixed functions in d/dxi^derivative, (n, local), to all unknowns."""
@@ -169,20 +186,24 @@ class Field:
             shape=(len(element), self.size),
         )
 
-    def top_functions(self, xi: Array, motion: Motion) -> Array:
-        """Functions of each element's top node at xi, shape (elements, n, nodal), unscaled.
+    def top_functions(self, points: int, motion: Motion) -> Array:
+        """Functions of each element's top node at so many Gauss points, unscaled.
 
         motion: the field itself, its slope d/dxi, or the rotation of the section, which is the
-        slope of a tube rigid in shear; the last two in half elements.
+        slope of a tube rigid in shear; the last two in half elements. Shape (elements, points,
+        nodal), or (1, points, nodal) where all elements are alike.
         """
-        count = len(self.lengths)
-        element, points = np.repeat(np.arange(count), len(xi)), np.tile(xi, count)
+        derivative = int(motion != "value")
+        if self.mixture is None:
+            same = functions_at_gauss_points(self.continuity, self.degree, derivative, points)
+            return same[None, :, : self.nodal]
+        count, xi = len(self.lengths), gauss_points(points)[0]
+        element, xi = np.repeat(np.arange(count), points), np.tile(xi, count)
         if motion == "rotation":
-            values = self._turned(points, element, 0)
+            values = self._turned(xi, element, 0)
         else:
-            values = shape_functions(points, self.continuity, self.degree, int(motion == "slope"))
-        mixed = self.mixed(values, element).reshape(count, len(xi), self.local)
-        return mixed[..., : self.nodal]
+            values = shape_functions(xi, self.continuity, self.degree, derivative)
+        return self.mixed(values, element).reshape(count, points, self.local)[..., : self.nodal]
 
     def _strains(self, xi: Array) -> list[Array]:
         """Strains of the functions in use at xi in every element, by kind, unscaled.
@@ -200,16 +221,13 @@ class Field:
         return [self.mixed(v, element).reshape(count, len(xi), self.local) for v in values]
 
     @cached_property
-    def strain_modes(self) -> tuple[sparse.csr_array, Array]:
-        """Matrix to the Legendre coefficients of strains, and the stiffness of each (N m or N).
-
-        Internal forces through them are in exact balance in every element, however short it is:
-        rounding of the unknowns makes couples, not forces.
-        """
+    def strain_blocks(self) -> list[tuple[Array, Array]]:
+        """For each kind of strain its Legendre coefficients by unknown, (elements, n, local), and
+        the stiffness of each, (elements, n), N m or N."""
         order = self.continuity + 1
         xi, weight = gauss_points(self.degree + 1)
         half = 0.5 * self.lengths
-        matrices, stiffnesses = [], []
+        blocks = []
         for kind, strain in enumerate(self._strains(xi)):
             count = self.local - order - kind
             if count < 1:
@@ -219,7 +237,20 @@ class Field:
             modes = (legendre * weight[:, None]).T @ strain * share[:, None]
             modes[np.abs(modes) < 1e-13] = 0.0
             values = modes * self.scale[:, None, :] / half[:, None, None] ** order
-            rows = np.arange(len(half) * count).reshape(len(half), count)
+            factor = self.stiffness * half * (self.softness if kind else 1.0)
+            blocks.append((values, factor[:, None] / share))
+        return blocks
+
+    @cached_property
+    def strain_modes(self) -> tuple[sparse.csr_array, Array]:
+        """Matrix to the Legendre coefficients of strains, and the stiffness of each (N m or N).
+
+        Internal forces through them are in exact balance in every element, however short it is:
+        rounding of the unknowns makes couples, not forces.
+        """
+        matrices = []
+        for values, _ in self.strain_blocks:
+            rows = np.arange(values.shape[0] * values.shape[1]).reshape(values.shape[:2])
             places = (
                 np.broadcast_to(rows[:, :, None], values.shape).ravel(),
                 np.broadcast_to(self.dofs[:, None, :], values.shape).ravel(),
@@ -227,9 +258,20 @@ class Field:
             matrices.append(
                 sparse.coo_array((values.ravel(), places), shape=(rows.size, self.size))
             )
-            factor = self.stiffness * half * (self.softness if kind else 1.0)
-            stiffnesses.append((factor[:, None] / share).ravel())
-        return sparse.csr_array(sparse.vstack(matrices)), np.concatenate(stiffnesses)
+        stiffness = np.concatenate([amounts.ravel() for _, amounts in self.strain_blocks])
+        return sparse.csr_array(sparse.vstack(matrices)), stiffness
+
+    def top_forces(self, q: Array) -> Array:
+        """Forces at the unknowns of each element's top node, (..., elements, nodal).
+
+        q: shape (..., n). By way of the strains, as the equations have them.
+        """
+        total = np.zeros((*q.shape[:-1], len(self.lengths), self.nodal))
+        for values, stiffness in self.strain_blocks:
+            strain = np.einsum("enj,...ej->...en", values, q[..., self.dofs])
+            top = values[:, :, : self.nodal]
+            total += np.einsum("...en,eni->...ei", strain * stiffness, top)
+        return total
 
     @cached_property
     def element_stiffness(self) -> Array:

@@ -16,6 +16,7 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.polynomial import Legendre, Polynomial
+from numpy.polynomial.polynomial import polyval
 
 from ..arrays import Array
 
@@ -54,12 +55,32 @@ def _polynomials(continuity: int, degree: int, derivative: int) -> tuple[Polynom
     return tuple(f.deriv(derivative) if derivative else f for f in functions)
 
 
+@lru_cache(maxsize=32)
+def _coefficients(continuity: int, degree: int, derivative: int) -> Array:
+    """Of powers of xi, shape (terms, functions)."""
+    return _table(_polynomials(continuity, degree, derivative))
+
+
+def _table(polynomials: tuple[Polynomial, ...]) -> Array:
+    """Coefficients of polynomials as columns, padded with zeros."""
+    table = np.zeros((max(len(p.coef) for p in polynomials), len(polynomials)))
+    for column, polynomial in enumerate(polynomials):
+        table[: len(polynomial.coef), column] = polynomial.coef
+    return table
+
+
 def shape_functions(xi: Array, continuity: int, degree: int, derivative: int = 0) -> Array:
     """Values of all functions of an element, or of a derivative d/dxi of them.
 
     xi: shape (n,). Returns shape (n, functions). `continuity` is 1 for deflection, 0 for stretch.
     """
-    return np.stack([f(xi) for f in _polynomials(continuity, degree, derivative)], axis=-1)
+    return np.asarray(polyval(xi, _coefficients(continuity, degree, derivative)).T)
+
+
+@lru_cache(maxsize=64)
+def functions_at_gauss_points(continuity: int, degree: int, derivative: int, count: int) -> Array:
+    """Values of `shape_functions` at the Gauss points, shape (count, functions)."""
+    return shape_functions(gauss_points(count)[0], continuity, degree, derivative)
 
 
 @lru_cache(maxsize=16)
@@ -79,7 +100,7 @@ def _lagrange(count: int) -> tuple[Polynomial, ...]:
 
 def gauss_interpolation(xi: Array, count: int) -> Array:
     """Matrix (n, count) from values at `count` Gauss points to their polynomial at each xi."""
-    return np.stack([basis(xi) for basis in _lagrange(count)], axis=-1)
+    return np.asarray(polyval(xi, _table(_lagrange(count))).T)
 
 
 def gauss_integrals(xi: Array, count: int) -> tuple[Array, Array]:
@@ -88,11 +109,12 @@ def gauss_integrals(xi: Array, count: int) -> tuple[Array, Array]:
     Returns two arrays of shape (n, count): times the values at the Gauss points they give the
     first and the second integral at each xi, exact for the interpolating polynomial.
     """
-    first, second = (np.stack([f(xi) for f in fs], axis=-1) for fs in _integrals(count))
-    return first, second
+    first, second = _integrals(count)
+    return np.asarray(polyval(xi, first).T), np.asarray(polyval(xi, second).T)
 
 
 @lru_cache(maxsize=16)
-def _integrals(count: int) -> tuple[tuple[Polynomial, ...], ...]:
-    """First and second integrals from xi = -1 of the Lagrange polynomials."""
-    return tuple(tuple(f.integ(times, lbnd=-1) for f in _lagrange(count)) for times in (1, 2))
+def _integrals(count: int) -> tuple[Array, Array]:
+    """Coefficients of the first and second integrals of the Lagrange polynomials."""
+    first, second = (tuple(p.integ(times, lbnd=-1) for p in _lagrange(count)) for times in (1, 2))
+    return _table(first), _table(second)

@@ -188,6 +188,8 @@ def _foundation(
     for place, variable, igr in places(table, tubes):
         if igr is not None:
             sizes["elevation"] = _length(path, group, f"tubes/{igr}/elevation")
+        if variable.later and place not in group:
+            continue
         shape = tuple(sizes[d] for d in variable.dims)
         datasets[place] = dataset(path, group, place, variable, shape)
     return FoundationData(

@@ -37,7 +37,7 @@ class Variable:
 
     number: "result" has the precision of the database, "coordinate" is always float64, "integer"
     is int32, "text" a string without units. A variable named as its only dimension is the scale
-    of that dimension.
+    of that dimension. later: databases of earlier programs have it not.
     """
 
     name: str
@@ -49,6 +49,7 @@ class Variable:
     kinds: tuple[Kind, ...] = KINDS
     spatial_only: bool = False
     number: Number = "result"
+    later: bool = False
     positive: Literal["", "up", "down"] = ""
 
     @property
@@ -128,8 +129,9 @@ def _extreme(variable: Variable, which: str) -> Variable:
     return Variable(name, ("depth",), variable.units, what, comment, "envelope")
 
 
-def _tube(name: str, units: str, long_name: str, comment: str) -> Variable:
-    return Variable(name, ("axis", "elevation"), units, long_name, comment, "tubes")
+def _tube(name: str, units: str, long_name: str, comment: str, *, later: bool = False) -> Variable:
+    dims = ("axis", "elevation")
+    return Variable(name, dims, units, long_name, comment, "tubes", later=later)
 
 
 VARIABLES: tuple[Variable, ...] = (
@@ -168,9 +170,16 @@ VARIABLES: tuple[Variable, ...] = (
     Variable("tip_force", ("axis",), "N", "soil reaction on the tip", "positive upward on the tip"),
     *(_extreme(v, which) for v in _PROFILE if v.name in QUANTITIES for which in EXTREMES),
     Variable(
-        "displacement", ("axis",), "1", "error of the displacement", _RELATIVE, group="estimate"
+        "displacement",
+        ("axis",),
+        "1",
+        "error of the largest displacement",
+        _RELATIVE,
+        group="estimate",
     ),
-    Variable("reaction", ("axis",), "1", "error of the reaction", _RELATIVE, group="estimate"),
+    Variable(
+        "reaction", ("axis",), "1", "error of the largest reaction", _RELATIVE, group="estimate"
+    ),
     Variable("moment", ("axis",), "1", "error of the largest moment", _RELATIVE, group="estimate"),
     Variable("iterations", ("axis",), "1", "iterations", group="convergence", number="integer"),
     Variable(
@@ -216,6 +225,13 @@ VARIABLES: tuple[Variable, ...] = (
     ),
     *(_tube(f"shear_{a}", "N", f"shear force along {a}", f"{_ABOVE}, global axes") for a in "xy"),
     _tube("normal_force", "N", "normal force", f"{_ABOVE}, positive in compression"),
+    _tube(
+        "stress",
+        "Pa",
+        "largest normal stress of the section",
+        "magnitude of that of normal force and bending together, at the outer diameter",
+        later=True,
+    ),
 )
 
 

@@ -96,7 +96,7 @@ MODEL = Keyword(
                 ),
                 Column(
                     "PDELTA",
-                    "the normal force bends the tube further",
+                    "the normal force bends the tube further, whether it matters or not",
                     key="pdelta",
                     kind="flag",
                     named=True,
@@ -112,6 +112,14 @@ MODEL = Keyword(
                     "SHEAR",
                     "tubes are soft in shear",
                     key="shear",
+                    kind="switch",
+                    named=True,
+                    default=False,
+                ),
+                Column(
+                    "WEIGHT",
+                    "tubes have their own weight, in water below sea level, from step 0 on",
+                    key="weight",
                     kind="switch",
                     named=True,
                     default=False,
@@ -139,7 +147,7 @@ MODEL = Keyword(
     "*MODEL, PDELTA, SHEAR=ON, ELEMENTS=40, ORDER=5",
     once=True,
     optioned=True,
-    planned=("LARGE", "LENGTH", "WEIGHT", "HYSTERESIS"),
+    planned=("LARGE", "LENGTH", "HYSTERESIS"),
 )
 
 SEA = Keyword(

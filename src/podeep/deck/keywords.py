@@ -21,7 +21,7 @@ from .analysis_keywords import (
 from .column import Column, Keyword, Row
 from .ground_keywords import GROUNDEPTH, GROUNDPROP
 from .py_keyword import PYCURVE
-from .structure_keywords import CASING, FONDATION
+from .structure_keywords import CASING, CONTACT, FONDATION, SLAVE, TYPCONTACT
 from .tz_keyword import TZCURVE
 
 _WIDTH = 80
@@ -32,6 +32,7 @@ KEYWORDS: Mapping[str, Keyword] = MappingProxyType(
         k.name: k
         for k in (
             *(TITLE, DEPTH, GROUNDEPTH, PYCURVE, TZCURVE, GROUNDPROP, CASING, FONDATION),
+            *(SLAVE, TYPCONTACT, CONTACT),
             *(SUPPORT, SPRING, SPUDCAN, LOAD, DISPLACE, QUASISTATIC),
             *(NEWTONSTAT, ACCURACY, MODEL, SEA),
             *(INCLUDE, EXEC, STOP),
@@ -45,7 +46,7 @@ ALIASES: Mapping[str, str] = MappingProxyType(
 
 #: Keywords of the original, or planned, that this version does not read.
 PLANNED: tuple[str, ...] = tuple(
-    """SLAVE TYPCONTACT CONTACT MASS STIFFNESS RADIATION INITIAL HARMONIC TIMESERIES
+    """MASS STIFFNESS RADIATION INITIAL HARMONIC TIMESERIES
     DAMPING DYNAMIC DYNIMP NEWTONDYN DTREC LINE END SOILSTIFF SUCTION MOTION
     GROUP RISER MOORLINE RIGIBODY RIGIDSTRUC CDDEPTH WAVE FLUID-EX SPRINGPRO TRENCH
     STIFFAMP""".split()

@@ -6,16 +6,18 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from ..scene import Curve, Ground, Newton, Numerics, Scene, Sea, Steps, Support
+from ..scene import Curve, Foundation, Ground, Newton, Numerics, Scene, Sea, Steps, Support
 from .actions import Actions, idle_names, likely_data, read_actions, read_steps
 from .curves import axial_curve, lateral_curve
 from .faults import Faults
+from .foundations import ReadFoundation, check_foundations, read_foundations
 from .ground import Depths, reacts_axially, read_depths, read_ground, unused_curves
 from .keywords import KEYWORDS
 from .paragraphs import Sorted, sort_paragraphs
 from .registry import Registry
 from .scan import scan
-from .structure import ReadFoundation, ReadTube, check_foundations, read_foundations, read_tube
+from .structure import ReadTube, read_tube
+from .ties import Ties, read_ties
 
 _HOLDING = ("SUPPORT", "SPRING", "SPUDCAN", "DISPLACE")
 _ACTIONS = (*_HOLDING, "LOAD")
@@ -63,6 +65,7 @@ def read_deck(path: Path) -> Deck:
         notes += _tip_supports(foundations, tubes, actions)
     elif ground is not None and actions.sound and given.complete(*_HOLDING):
         _check_axial(foundations, tubes, ground, actions, faults)
+    tied = _ties(given, foundations, tubes, actions, notes, faults)
     steps = _steps(given, actions, notes, faults)
     newton = _arguments(given, "NEWTONSTAT")
     faults.check()
@@ -83,6 +86,8 @@ def read_deck(path: Path) -> Deck:
         Newton(**newton),
         Numerics(**numerics),
         Sea(**_arguments(given, "SEA")),
+        tied.ties,
+        tied.slidings,
     )
     notes += [*unused_curves(ground), *_unused_tubes(scene), *idle_names(steps)]
     notes += likely_data(acting)
@@ -143,13 +148,31 @@ def _check_uses(
     faults: Faults,
 ) -> None:
     """Tell of actions on a tube that stands in no foundation: nothing would come of them."""
-    named = {f.tube for f in foundations}
-    if not named or None in named or not given.complete("FONDATION"):
+    named = {igr for f in foundations for igr, _ in f.tubes}
+    if not named or not all(f.tubes for f in foundations) or not given.complete("FONDATION"):
         return
     for igr, place in actions.uses:
         if igr in tubes.places and igr not in named:
             message = f"tube {igr} stands in no *FONDATION"
             faults.add(place, message, "name it in one, or take this out")
+
+
+def _ties(
+    given: Sorted,
+    foundations: Sequence[ReadFoundation],
+    tubes: Registry[ReadTube],
+    actions: Actions,
+    notes: list[str],
+    faults: Faults,
+) -> Ties:
+    """How the tubes of each foundation hold each other."""
+    shared = _arguments(given, "CONTACT")
+    sound = [f.foundation for f in foundations if f.foundation is not None]
+    complete = len(sound) == len(foundations) and given.complete("FONDATION", "SLAVE")
+    paragraphs = (given.of["SLAVE"], given.of["TYPCONTACT"])
+    found = read_ties(*paragraphs, shared, sound if complete else [], tubes, actions, faults)
+    notes += found.notes
+    return found
 
 
 def _check_axial(
@@ -161,32 +184,37 @@ def _check_axial(
 ) -> None:
     """Tell of foundations that nothing holds along z."""
     for read in foundations:
-        known = tubes.items.get(read.tube or 0)
-        if read.foundation is None or known is None or known.span is None:
+        if read.foundation is None:
             continue
-        tip = known.span[1]
+        tube, tip = _deepest(read.foundation, tubes)
         length = read.foundation.mudline - tip
         if not (reacts_axially(ground, length) or actions.act_axially_on(read.foundation.tubes)):
             faults.add(
                 read.place,
                 f"nothing holds foundation {read.foundation.id} along z: no t-z curve resists on "
                 f"its {length:g} m, no support or spring does",
-                f"give t-z curves, or *SUPPORT with the line {read.tube} {tip:g} Z",
+                f"give t-z curves, or *SUPPORT with the line {tube} {tip:g} Z",
             )
 
 
 def _tip_supports(
     foundations: Sequence[ReadFoundation], tubes: Registry[ReadTube], actions: Actions
 ) -> Iterator[str]:
-    """Hold the tip of every tube that nothing else holds along z, and tell of it."""
+    """Hold the lowest tip of what nothing else holds along z, and tell of it."""
     for read in foundations:
-        known = tubes.items.get(read.tube or 0)
-        if read.foundation is None or read.tube is None or known is None or known.span is None:
+        if read.foundation is None or actions.act_axially_on(read.foundation.tubes):
             continue
-        if not actions.act_axially_on(read.foundation.tubes):
-            tip = known.span[1]
-            actions.supports.append(Support(read.tube, tip, ("Z",)))
-            yield f"TZ=OFF: tube {read.tube} is held along z at its tip, {tip:g} m, alone"
+        tube, tip = _deepest(read.foundation, tubes)
+        actions.supports.append(Support(tube, tip, ("Z",)))
+        yield f"TZ=OFF: tube {tube} is held along z at its tip, {tip:g} m, alone"
+
+
+def _deepest(foundation: Foundation, tubes: Registry[ReadTube]) -> tuple[int, float]:
+    """The tube that reaches deepest, the outermost of several, and the elevation of its tip."""
+    spans = {igr: tubes.items[igr] for igr in foundation.tubes}
+    tips = {igr: t.span[1] for igr, t in spans.items() if t is not None and t.span is not None}
+    igr = min(tips, key=lambda i: tips[i])
+    return igr, tips[igr]
 
 
 def _steps(given: Sorted, actions: Actions, notes: list[str], faults: Faults) -> Steps | None:

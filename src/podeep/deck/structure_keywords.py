@@ -93,8 +93,151 @@ FONDATION = Keyword(
             (Column("IGR", "tube, the outermost first", bounds=IDS, kind="integer"),),
         ),
     ),
-    "*FONDATION\n1 1 -60",
-    "This version reads foundations of one tube.",
+    "*FONDATION\n1 1 2 -60",
+    "Soil acts on the outermost tube at each level. An inner tube that *SLAVE does not name is "
+    "cemented to the outermost one over all of their common length.",
     aliases=("FOUNDATION",),
     required=True,
+)
+
+SLAVE = Keyword(
+    "SLAVE",
+    "an inner tube that takes the motion of an outer one",
+    (
+        Row(
+            "ties",
+            (
+                Column("OUTER", "outer tube", bounds=IDS, key="outer", kind="integer"),
+                Column("INNER", "inner tube", bounds=IDS, key="inner", kind="integer"),
+                Column(
+                    "HOW",
+                    "all along, or at the two ends alone",
+                    key="how",
+                    kind="word",
+                    choices=("CEMENTED", "ENDS"),
+                ),
+                Column(
+                    "ZTOP",
+                    "elevation at which it begins",
+                    "m",
+                    key="top",
+                    otherwise="where both tubes are",
+                ),
+                Column(
+                    "ZBOT",
+                    "elevation at which it ends",
+                    "m",
+                    key="bottom",
+                    otherwise="where both tubes are",
+                ),
+            ),
+        ),
+    ),
+    "*SLAVE\n1 2 CEMENTED -70 -100\n2 3 ENDS",
+    "Tied are displacements, rotations and stretch. Where nothing ties two tubes, *TYPCONTACT says "
+    "how one slides in the other.",
+)
+
+_UNUSED = "kept for lines on the seabed"
+
+
+def _seabed(name: str) -> Column:
+    return Column(name, _UNUSED, default=0.0)
+
+
+TYPCONTACT = Keyword(
+    "TYPCONTACT",
+    "a tube that slides inside another",
+    (
+        Row(
+            "contacts",
+            (
+                Column("IGR1", "outer tube", bounds=IDS, key="outer", kind="integer"),
+                Column("IGR2", "tube inside it", bounds=IDS, key="inner", kind="integer"),
+                Column("ITYP12", "2: IGR2 slides inside IGR1", kind="integer", choices=("2",)),
+                Column(
+                    "MU2", "friction along the tubes", "-", NOT_NEGATIVE, "friction", default=0.0
+                ),
+                Column(
+                    "MU3",
+                    "friction across, none here",
+                    "-",
+                    NOT_NEGATIVE,
+                    default=0.0,
+                ),
+                Column(
+                    "KN",
+                    "stiffness of a contact, 0: rigid",
+                    "N/m",
+                    NOT_NEGATIVE,
+                    "stiffness",
+                    default=0.0,
+                ),
+                Column(
+                    "XSEUIL2",
+                    "displacement at which friction is reached",
+                    "m",
+                    POSITIVE,
+                    "threshold",
+                    default=1e-3,
+                ),
+                Column("XSEUIL3", "the same across", "m", NOT_NEGATIVE, default=0.0),
+                Column("DENSITY", "contacts per length", "1/m", POSITIVE, "density", default=1.0),
+                *(
+                    _seabed(name)
+                    for name in (
+                        *("CRIT_PROX", "L_MINI", "ID1", "ID2", "FRICTMOM", "IDSTIFFAMP"),
+                        *("RADRATIO", "IDTREN", "XMUO", "IDFAX", "IDFLAT", "INOR", "ISHELTER"),
+                    )
+                ),
+                Column(
+                    "GAP",
+                    "room between the tubes on either side; -1: what their diameters leave",
+                    "m",
+                    Bounds(-1.0),
+                    "clearance",
+                    named=True,
+                    default=0.0,
+                ),
+            ),
+        ),
+    ),
+    "*TYPCONTACT\n1 2 2 0.2 0 1e8 GAP=0.02",
+    "The original's 22 values; those that tubes have no use for may be 0 or left out. Without gap "
+    "and friction, a rigid contact lets the tubes deflect as one and stretch apart. KN times "
+    "DENSITY is the stiffness per length.",
+)
+
+CONTACT = Keyword(
+    "CONTACT",
+    "what all contacts share",
+    (
+        Row(
+            "contact",
+            (
+                *(_seabed(name) for name in ("NBE", "NITCON", "NITNOR")),
+                Column(
+                    "KN",
+                    "stiffness where *TYPCONTACT has none",
+                    "N/m",
+                    NOT_NEGATIVE,
+                    "stiffness",
+                    default=0.0,
+                ),
+                Column(
+                    "DISCON",
+                    "penetration over which a contact takes hold",
+                    "m",
+                    POSITIVE,
+                    "tolerance",
+                    default=1e-4,
+                ),
+                *(_seabed(name) for name in ("XL_MIN", "NBE_SOL", "KN_SOL", "IT_EXIT")),
+            ),
+        ),
+    ),
+    "*CONTACT\n20 5 2 1e8 1e-4",
+    "Of its nine values contacts of tubes need KN and DISCON; the counts of the original's loops "
+    "have no meaning here.",
+    once=True,
 )

@@ -14,32 +14,40 @@ from .system import System
 
 @dataclass(frozen=True)
 class Footing:
-    """stiffness: elastic, N/m and N m/rad. surface: None where the spudcan stays elastic."""
+    """stiffness: elastic, N/m and N m/rad. surface: None where the spudcan stays elastic.
+
+    tube: number of the tube that it stands under.
+    """
 
     stiffness: Stiffness
     surface: YieldSurface | None
+    tube: int
 
     def vertical(self, axial: System, q: Array) -> float:
         """Vertical load on the spudcan, positive down, N."""
-        settlement = axial.field.interpolation(axial.field.edges[-1:]) @ q
+        settlement = axial.field.interpolation(axial.field.edges[-1:], tube=self.tube) @ q
         return float(self.stiffness.vertical * settlement[0])
 
     def across(self, lateral: System, q: Array) -> tuple[float, float]:
         """Horizontal load (N) and moment (N m) on the spudcan, magnitudes."""
         tip, unknowns = lateral.field.edges[-1:], q.reshape(-1, lateral.components)
-        shift = hypot(*(lateral.field.interpolation(tip) @ unknowns)[0])
-        turn = hypot(*(lateral.field.rotation(tip) @ unknowns)[0])
+        shift = hypot(*(lateral.field.interpolation(tip, tube=self.tube) @ unknowns)[0])
+        turn = hypot(*(lateral.field.rotation(tip, self.tube) @ unknowns)[0])
         moment = self.stiffness.rotational * lateral.softening * turn
         return float(self.stiffness.horizontal * shift), float(moment)
 
 
-def footing(spudcan: Spudcan) -> Footing:
-    """The springs and the yield surface of a spudcan. Raises InvalidData as its formulas do."""
+def footing(spudcan: Spudcan, tube: int = 0) -> Footing:
+    """The springs and the yield surface of a spudcan under a tube, by its number.
+
+    Raises InvalidData as its formulas do.
+    """
     factors = (spudcan.vertical_factor, spudcan.horizontal_factor, spudcan.rotational_factor)
     stiffness = elastic_stiffness(
         spudcan.shear_modulus, spudcan.poisson_ratio, 0.5 * spudcan.diameter, factors
     )
-    return Footing(Stiffness(*(np.asarray(k) for k in stiffness)), yield_surface(spudcan))
+    elastic = Stiffness(*(np.asarray(k) for k in stiffness))
+    return Footing(elastic, yield_surface(spudcan), tube)
 
 
 def yield_surface(spudcan: Spudcan) -> YieldSurface | None:

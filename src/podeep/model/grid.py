@@ -36,7 +36,8 @@ def soil_jumps(results: Results) -> Array:
     pieces: tuple[Stretch, ...] = results.model.pieces
     twice = {d for d in ground.depths if ground.depths.count(d) > 1}
     for above, below in itertools.pairwise(pieces):
-        if above.section.outer_diameter != below.section.outer_diameter:
+        same = above.outermost == below.outermost
+        if not same or above.section.outer_diameter != below.section.outer_diameter:
             twice.add(above.bottom)
     tip = pieces[-1].bottom
     return np.array(sorted(d for d in twice if JUMP < d < tip - JUMP))
@@ -105,15 +106,18 @@ def relative_error(interpolated: Array, true: Array, values: Array) -> Array:
     return np.asarray(error.reshape(-1, true.shape[-1]).max(axis=0))
 
 
-def tube_depths(results: Results, depth: Array, marks: Array) -> Array:
-    """Depths (negative above the mudline) at which the tube's own results are written.
+def tube_depths(results: Results, depth: Array, marks: Array, tube: int = 0) -> Array:
+    """Depths (negative above the mudline) at which a tube's own results are written.
 
     They hold the output depths of the soil, the element ends, and two depths a jump apart at each
     of `marks`, where point loads and holds let the internal forces jump.
     """
-    top, tip = results.model.edges[0], results.model.edges[-1]
+    edges = results.along(tube, results.model.edges)
+    top, tip = edges[0], edges[-1]
+    depth = depth[(depth >= top) & (depth <= tip)]
+    ends = np.array([p.bottom for p in results.model.pieces if len(p.sections) > 1])
+    marks = np.unique(np.concatenate([marks, ends]))  # where other tubes begin and end
     inner = marks[(marks > top + JUMP) & (marks < tip - JUMP)]
-    edges = results.model.edges
     above = np.concatenate([edges, regular(top, 0.0)])
     above = merge(above[above < -JUMP]) if top < -JUMP else np.zeros(0)
     x = np.concatenate([above, depth])

@@ -6,7 +6,7 @@ needs one element a stretch.
 """
 
 import itertools
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,11 +24,28 @@ _COARSEN = 0.1  # growth of the element per characteristic length below the mudl
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
-    """A piece of tube of one section in one soil layer, between the depths top and bottom, m."""
+    """Tubes of one section each in one soil layer, between the depths top and bottom, m.
+
+    sections: of the foundation's tubes in their order, None for a tube that is not there.
+    """
 
     top: float
     bottom: float
-    section: Section
+    sections: tuple[Section | None, ...]
+
+    @property
+    def outermost(self) -> int:
+        """Number of the outermost tube."""
+        return next(i for i, section in enumerate(self.sections) if section is not None)
+
+    @property
+    def section(self) -> Section:
+        """That of the outermost tube."""
+        return next(section for section in self.sections if section is not None)
+
+    def total(self, stiffness: Callable[[Section], float]) -> float:
+        """A stiffness of all tubes together."""
+        return sum(stiffness(section) for section in self.sections if section is not None)
 
     @property
     def embedded(self) -> bool:
@@ -40,11 +57,16 @@ class Stretch:
 
 
 def stretches(
-    tube: Tube, mudline: float, profile: Profile, others: Iterable[float]
+    tubes: Sequence[Tube], mudline: float, profile: Profile, others: Iterable[float]
 ) -> tuple[Stretch, ...]:
-    """Cut a tube where section or soil change and at `others` (depths of loads and holds)."""
-    top, tip = mudline - tube.top, mudline - tube.tip
-    wanted = [0.0, *profile.boundaries, *others, *(mudline - s.top for s in tube.sections)]
+    """Cut tubes where section or soil change and at `others` (depths of loads and holds).
+
+    The tubes stand beside each other without a gap between the highest top and the lowest tip.
+    """
+    top = min(mudline - tube.top for tube in tubes)
+    tip = max(mudline - tube.tip for tube in tubes)
+    ends = [mudline - z for t in tubes for s in t.sections for z in (s.top, s.bottom)]
+    wanted = [0.0, *profile.boundaries, *others, *ends]
     cuts = [top]
     for x in sorted(wanted):
         if cuts[-1] + TOUCH < x < tip - TOUCH:
@@ -52,10 +74,12 @@ def stretches(
     cuts.append(tip)
     pieces = []
     for a, b in itertools.pairwise(cuts):
-        middle = mudline - 0.5 * (a + b)
-        section = next(s for s in tube.sections if s.top >= middle >= s.bottom)
-        pieces.append(Stretch(a, b, section))
+        pieces.append(Stretch(a, b, tuple(_section(t, mudline - 0.5 * (a + b)) for t in tubes)))
     return tuple(pieces)
+
+
+def _section(tube: Tube, elevation: float) -> Section | None:
+    return next((s for s in tube.sections if s.top >= elevation >= s.bottom), None)
 
 
 def bent_lengths(stretch: Stretch, profile: Profile) -> Array:
@@ -63,7 +87,8 @@ def bent_lengths(stretch: Stretch, profile: Profile) -> Array:
     x, width = _samples(stretch)
     modulus = _modulus(profile.lateral(x, width), width)
     with np.errstate(divide="ignore"):
-        return np.asarray((4.0 * stretch.section.bending_stiffness / modulus) ** 0.25)
+        stiffness = stretch.total(lambda section: section.bending_stiffness)
+        return np.asarray((4.0 * stiffness / modulus) ** 0.25)
 
 
 def characteristic_lengths(stretch: Stretch, profile: Profile) -> Array:
@@ -71,7 +96,8 @@ def characteristic_lengths(stretch: Stretch, profile: Profile) -> Array:
     x, width = _samples(stretch)
     modulus = _modulus(profile.shaft(x, width), width)
     with np.errstate(divide="ignore"):
-        stretched = (stretch.section.axial_stiffness / modulus) ** 0.5
+        stiffness = stretch.total(lambda section: section.axial_stiffness)
+        stretched = (stiffness / modulus) ** 0.5
     return np.minimum(bent_lengths(stretch, profile), stretched)
 
 

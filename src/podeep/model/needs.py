@@ -1,6 +1,6 @@
 """How much model a scene needs: each decision with its reason."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import atan2, cos, degrees, hypot, pi, radians, sin
 
 from ..errors import Fault, UserError
@@ -23,7 +23,8 @@ class Needs:
     """The model of one foundation.
 
     lateral_axis: direction of the common plane of all loads, degrees from x in (-90, 90]; None
-    where they share none. components: deflections that are solved, 1 along the axis or 2.
+    where they share none. components: deflections that are solved, 1 along the axis or 2. axial:
+    something drives the tubes along z.
     """
 
     lateral_axis: float | None
@@ -31,6 +32,12 @@ class Needs:
     decisions: tuple[Decision, ...]
     second_order: bool = False
     shear: bool = False
+    axial: bool = True
+
+    def told(self, *more: Decision) -> "Needs":
+        """The same with decisions that are not among its own yet."""
+        own = self.decisions
+        return replace(self, decisions=(*own, *(d for d in more if d not in own)))
 
     @property
     def direction(self) -> tuple[tuple[float, float], ...]:
@@ -62,6 +69,13 @@ def lateral_vectors(scene: Scene, foundation: Foundation) -> list[tuple[float, f
             pair[1] += {"Y": d.value, "RX": d.value}.get(d.dof, 0.0)
     vectors.extend((pair[0], pair[1]) for pair in imposed.values())
     return [v for v in vectors if v != (0.0, 0.0)]
+
+
+def axially_driven(scene: Scene, foundation: Foundation) -> bool:
+    """Whether a load or an imposed displacement drives the tubes along z."""
+    loads = any(load.force[2] for load in scene.loads if load.tube in foundation.tubes)
+    moved = (d for d in scene.displacements if d.tube in foundation.tubes)
+    return loads or any(d.value for d in moved if d.dof == "Z")
 
 
 def common_axis(vectors: list[tuple[float, float]]) -> float | None:
@@ -98,17 +112,24 @@ def isotropic(scene: Scene, foundation: Foundation) -> bool:
 
 def needs(scene: Scene, foundation: Foundation) -> Needs:
     """Decide on the model of one foundation."""
-    held = Decision("supports alone along z", "t-z and Q-z curves are left out (*MODEL TZ=OFF)")
     numerics = scene.numerics
+    driven = numerics.weight or axially_driven(scene, foundation)
+    held = "t-z along the shaft and Q-z at the tip", "curves of the deck"
+    if not numerics.axial_curves:
+        held = "supports alone along z", "t-z and Q-z curves are left out (*MODEL TZ=OFF)"
+    elif not driven:
+        held = "no axial part", "nothing drives it"
     asked_for = (
-        *(() if numerics.axial_curves else (held,)),
+        Decision(*held),
         *((Decision("P-delta", "asked"),) if numerics.second_order else ()),
+        *((Decision("small displacements", "asked"),) if numerics.second_order is False else ()),
         *((Decision("shear", "asked"),) if numerics.shear else ()),
+        *((Decision("own weight", "asked"),) if numerics.weight else ()),
     )
 
     def made(lateral_axis: float | None, components: int, lateral: Decision) -> Needs:
-        both = (numerics.second_order, numerics.shear)
-        return Needs(lateral_axis, components, (lateral, *asked_for), *both)
+        both = (bool(numerics.second_order), numerics.shear)
+        return Needs(lateral_axis, components, (lateral, *asked_for), *both, driven)
 
     vectors = lateral_vectors(scene, foundation)
     axis = common_axis(vectors)

@@ -8,9 +8,9 @@ a vector along the displacement, with the secant p/r across it and the tangent p
 """
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from copy import copy
-from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
@@ -18,44 +18,18 @@ from scipy import sparse
 from scipy.linalg import lapack
 
 from ..arrays import Array, Index
-from ..beam.band import band_place, bandwidth, pairs, scatter, scatter_matrix
-from ..beam.field import Field, Motion
+from ..beam.band import add_product, band_place, bandwidth, pairs, scatter, scatter_matrix
+from ..beam.field import Field
 from ..soil.reaction import Reaction
-from .compression import compression
+from .points import Points, Spring, stacked
 
 _FAR = 0.1  # displacement at which any soil is taken to have its capacity, m: for directions alone
+_FURTHEST = 10.0  # displacement at which a contact is surely closed, m
+_FIRST = 1e-3  # displacement whose secants take a state from rest, m
+_STEEP = 100.0  # times these secants from which the tangent at rest counts as infinite
+NOTHING = 1e-30  # least distance of two components, m: there the secant is the tangent
+_SHARE = 1e-4  # of the secant: least modulus where a tangent has to be made positive definite
 _DENSE = 40_000  # entries below which a dense product beats a sparse one (call overhead)
-
-
-@dataclass(frozen=True)
-class Points:
-    """Where a reaction acts on a field: depths x (m), weights (m; 1 for a tip), and the law.
-
-    motion: what the reaction resists: the field by a force, its slope or the rotation of the
-    section by a moment. follows: place of the points, as many, whose current |reaction| scales
-    this one; None: nothing does. spread: the reaction acts along the field, not at one end of it.
-    compressed: the reaction is that of the normal force, which every step gives anew.
-    """
-
-    x: Array
-    weight: Array
-    reaction: Reaction
-    motion: Motion = "value"
-    follows: int | None = None
-    spread: bool = True
-    compressed: bool = False
-
-
-@dataclass(frozen=True)
-class Spring:
-    """A linear spring to ground at one unknown, N/m in the field's scaling.
-
-    softens: its stiffness is multiplied by the system's `softening`.
-    """
-
-    dof: int
-    stiffness: float
-    softens: bool = False
 
 
 class System:
@@ -76,13 +50,9 @@ class System:
         self._slices = [slice(a, b) for a, b in itertools.pairwise(cuts)]
         weight = np.concatenate([p.weight for p in points]) if points else np.zeros(0)
         self.weight = weight
-        none = np.zeros(0)
-        shape = sparse.csr_array(
-            sparse.vstack(
-                [field.motion(p.x, p.motion) for p in points] or [field.interpolation(none)]
-            )
-        )
-        self._build_tangent(shape, springs)
+        rows = [p.rows(field) for p in points]
+        shape = stacked(rows, field.size)
+        self._build_tangent(rows, springs)
         weighted = sparse.csr_array((shape * weight[:, None]).T)
         modes, stiffness = field.strain_modes
         stress = sparse.csr_array((modes * stiffness[:, None]).T)
@@ -90,20 +60,22 @@ class System:
         self._observe = _compact(sparse.csr_array(sparse.vstack([shape, modes])))
         self._balance = _compact(sparse.csr_array(sparse.hstack([weighted, stress])))
         self._count = len(weight)
-        capacity = [self._capacity(p) for p in points] or [none]
-        self._capacity_moduli = np.nan_to_num(np.concatenate(capacity), posinf=0.0) / _FAR
+        moduli = [self._capacity_modulus(p) for p in points]
+        self._capacity_moduli = np.concatenate([np.zeros(0), *moduli])
         self.softening = 1.0
+        self._at: Array | None = None
         self._sprung, self._springs = bool(springs), np.zeros(self.size)
         np.add.at(self._springs, [s.dof for s in springs], [s.stiffness for s in springs])
         soft = [s for s in springs if s.softens]
         self._soft = np.zeros(self.size)
         np.add.at(self._soft, [s.dof for s in soft], [s.stiffness for s in soft])
 
-    def _build_tangent(self, shape: sparse.csr_array, springs: Sequence[Spring]) -> None:
+    def _build_tangent(
+        self, points: Sequence[tuple[Index, Array]], springs: Sequence[Spring]
+    ) -> None:
         field, m = self.field, self.components
-        interleaved = field.dofs[:, :, None] * m + np.arange(m)
-        every = interleaved.reshape(len(field.dofs), -1)
-        self.width = bandwidth(every)
+        coupled = [field.dofs, *(dofs for dofs, _ in points if len(dofs))]
+        self.width = max(bandwidth(dofs) for dofs in coupled) * m
         storage = self.width * self.size
         free = np.ones(self.size, dtype=bool)
         free[self.held] = False
@@ -122,7 +94,7 @@ class System:
         held_place = np.asarray(self.held) * self.width
         linear[held_place] = 1.0
         self._linear = linear
-        self._spread = _compact(self._spreading(shape, keep, storage))
+        self._spread = self._spreading(points, keep, storage)
 
     def _kept(self, free: npt.NDArray[np.bool_]) -> Array:
         """1 where row and column of a stored entry are both free, 0 elsewhere."""
@@ -132,50 +104,56 @@ class System:
         kept = inside & free[column] & free[np.minimum(row, self.size - 1)]
         return kept.astype(np.float64)
 
-    def _spreading(self, shape: sparse.csr_array, keep: Array, storage: int) -> sparse.csr_array:
+    def _spreading(
+        self, points: Sequence[tuple[Index, Array]], keep: Array, storage: int
+    ) -> sparse.csr_array:
         """Matrix from the moduli at the points to the band they add to."""
-        m, count = self.components, shape.shape[0]
-        local = self.field.local
-        dofs = shape.indices.reshape(count, local).astype(np.intp)
-        values = shape.data.reshape(count, local)
-        i, j = np.tril_indices(local)
-        product = values[:, i] * values[:, j] * self.weight[:, None]
-        source = np.broadcast_to(np.arange(count)[:, None], product.shape)
-        places, entries, sources = [], [], []
-        for c in range(m):  # direct terms: component c with itself
-            places.append(band_place(dofs[:, i] * m + c, dofs[:, j] * m + c, self.width))
-            entries.append(product)
-            sources.append(source + c * count)
-        if m == 2:  # cross terms: component 1 of i with component 0 of j, and the reverse
-            first, second = np.meshgrid(np.arange(local), np.arange(local), indexing="ij")
-            full = values[:, first.ravel()] * values[:, second.ravel()] * self.weight[:, None]
-            one, zero = dofs[:, first.ravel()] * 2 + 1, dofs[:, second.ravel()] * 2
-            places.append(band_place(np.maximum(one, zero), np.minimum(one, zero), self.width))
-            entries.append(full)
-            sources.append(np.broadcast_to(np.arange(count)[:, None] + 2 * count, full.shape))
-        place = np.concatenate([p.ravel() for p in places])
-        entry = np.concatenate([e.ravel() for e in entries]) * keep[place]
+        m, count = self.components, len(self.weight)
+        places, entries, sources = [np.zeros(0, np.intp)], [np.zeros(0)], [np.zeros(0, np.intp)]
+
+        def add(rows: Index, columns: Index, entry: Array, source: Index) -> None:
+            places.append(band_place(rows, columns, self.width).ravel())
+            entries.append(entry.ravel())
+            sources.append(np.broadcast_to(source, entry.shape).ravel())
+
+        for (dofs, shares), at in zip(points, self._slices, strict=True):
+            weighted, local = shares * self.weight[at, None], dofs.shape[1]
+            source = np.arange(at.start, at.stop)[:, None]
+            i, j = np.tril_indices(local)
+            rows, columns = np.maximum(dofs[:, i], dofs[:, j]), np.minimum(dofs[:, i], dofs[:, j])
+            twice = 1.0 + ((rows == columns) & (i != j))  # one unknown of both tubes
+            for c in range(m):  # direct terms: component c with itself
+                entry = twice * shares[:, i] * weighted[:, j]
+                add(rows * m + c, columns * m + c, entry, source + c * count)
+            if m == 2:  # cross terms: component 1 of i with component 0 of j, and the reverse
+                first, second = (a.ravel() for a in np.indices((local, local)))
+                one, zero = dofs[:, first] * 2 + 1, dofs[:, second] * 2
+                entry = shares[:, first] * weighted[:, second]
+                add(np.maximum(one, zero), np.minimum(one, zero), entry, source + 2 * count)
+        place = np.concatenate(places)
         kinds = 1 if m == 1 else 3
         return scatter_matrix(
-            place, entry, np.concatenate([s.ravel() for s in sources]), (storage, kinds * count)
+            place,
+            np.concatenate(entries) * keep[place],
+            np.concatenate(sources),
+            (storage, kinds * count),
         )
 
-    def compressed(self, force: Array) -> "System":
-        """The same system under a normal force (N, compression positive) at its points for it."""
+    def replaced(self, points: Iterable[Points]) -> "System":
+        """The same system with other reactions at its points."""
         other = copy(self)
-        other.points = tuple(
-            replace(p, reaction=compression(force)) if p.compressed else p for p in self.points
-        )
+        other.points, other._at = tuple(points), None
+        other.__dict__.pop("_together", None)
         return other
 
-    @property
-    def compression_points(self) -> Array:
-        """Depths at which the normal force acts on the slope, m; none where it does not."""
-        return next((p.x for p in self.points if p.compressed), np.zeros(0))
+    @cached_property
+    def second_order(self) -> bool:
+        """Whether a normal force works on the slope."""
+        return any(p.compressed for p in self.points)
 
     def stable(self) -> bool:
         """Whether the tangent at the last `internal` is positive definite."""
-        _, _, _, modulus = self._state
+        modulus = self._state[3]
         return self._solve(modulus, np.zeros(self.size)) is not None
 
     def outer_forces(self, q: Array, load: Array) -> Array:
@@ -190,6 +168,7 @@ class System:
         change = (factor - self.softening) * self._soft
         change[self.held] = 0.0
         other.softening, other._springs = factor, self._springs + change
+        other._at = None
         other._linear = self._linear.copy()
         other._linear[:: self.width] += change
         other.diagonal = self.diagonal + change
@@ -199,11 +178,24 @@ class System:
         """The field at the Gauss points, shape (points, components)."""
         return np.asarray((self._observe @ q.reshape(-1, self.components))[: self._count])
 
-    def _capacity(self, points: Points) -> Array:
-        """Bound of the reaction at some points, (n,)."""
-        own = points.reaction.capacity
-        leader = points.follows
-        return own if leader is None else own * self.points[leader].reaction.capacity
+    def _capacity_modulus(self, points: Points) -> Array:
+        """Share of the bound of the reaction at some points, (n,), or its last modulus."""
+        bound, leader = points.reaction.capacity, points.follows
+        if leader is not None:
+            bound = bound * self.points[leader].reaction.capacity
+        last = points.reaction.evaluate(np.full(len(bound), _FURTHEST))[1]
+        return np.asarray(np.where(np.isfinite(bound), bound / _FAR, last))
+
+    @cached_property
+    def _together(self) -> Reaction | None:
+        """All reactions as one; None where one follows another or changes with the step."""
+        if any(p.compressed or p.follows is not None for p in self.points):
+            return None
+        return Reaction.joined([p.reaction for p in self.points])
+
+    def total_reaction(self) -> float:
+        """Magnitudes of the reaction at the last `internal`, added up, N (N m of rotations)."""
+        return float(self.weight @ np.abs(self._state[2]))
 
     def react(self, u: Array) -> tuple[Array, Array]:
         """Reaction and modulus at signed displacements or distances u, shape (..., points).
@@ -211,8 +203,8 @@ class System:
         The modulus of a reaction that follows another one leaves out how that one changes: the
         tangent stays symmetric, and the iteration converges all the same, if less fast.
         """
-        if len(self.points) == 1:
-            return self.points[0].reaction.evaluate(u)
+        if self._together is not None:
+            return self._together.evaluate(u)
         force, modulus = np.empty_like(u), np.empty_like(u)
         for at, point in zip(self._slices, self.points, strict=True):
             force[..., at], modulus[..., at] = point.reaction.evaluate(u[..., at])
@@ -225,19 +217,22 @@ class System:
     def internal(self, q: Array) -> Array:
         """Internal forces at q; what the tangent needs there is kept for `solve`."""
         count = self._count
+        across: Array | None = None
         if self.components == 1:
-            seen = self._observe @ q
+            seen = self._observe.dot(q)
             u = distance = seen[:count].copy()
             force, modulus = self.react(distance)
             seen[:count] = force
         else:
-            seen = self._observe @ q.reshape(-1, 2)
+            seen = self._observe.dot(q.reshape(-1, 2))
             u = seen[:count].copy()
             distance = np.hypot(u[:, 0], u[:, 1])
+            np.maximum(distance, NOTHING, out=distance)
             force, modulus = self.react(distance)
-            seen[:count] *= secant(force, distance, modulus)[:, None]
-        self._state = (u, distance, force, modulus)
-        inner: Array = (self._balance @ seen).ravel()
+            across = force / distance
+            seen[:count] *= across[:, None]
+        self._at, self._state = q, (u, distance, force, modulus, across)
+        inner: Array = self._balance.dot(seen).ravel()
         if self._sprung:
             inner += self._springs * q
         return inner
@@ -245,15 +240,17 @@ class System:
     def solve(self, right: Array) -> Array | None:
         """Solve with the tangent at the last `internal`; None for a mechanism.
 
-        Where the tangent is not positive definite (a softening law), its negative moduli are
-        first taken as zero, then all moduli as secants, at last as shares of the capacity (a gap
+        Where the tangent is not positive definite (a softening law, or soil that gives all it has),
+        moduli are first raised to a small share of the secants, which lets a step go far along
+        what nothing holds, then taken as the secants, at last as shares of the capacity (a gap
         that has to close): the energy still falls along the answer, and the residual that decides
         on equilibrium stays the exact one.
         """
-        _, _, _, modulus = self._state
+        _, distance, force, modulus, _ = self._state
         x = self._solve(modulus, right)
         if x is None:
-            x = self._solve(np.maximum(modulus, 0.0), right)
+            some = _SHARE * np.abs(secant(force, distance, modulus))
+            x = self._solve(np.maximum(modulus, some), right)
         if x is None:
             x = self.solve_by_secants(right)
         if x is None:
@@ -262,19 +259,42 @@ class System:
 
     def solve_by_secants(self, right: Array) -> Array | None:
         """Solve with the secant moduli at the last `internal`; None for a mechanism."""
-        _, distance, force, modulus = self._state
+        _, distance, force, modulus, _ = self._state
         secants = secant(force, distance, modulus)
         return self._solve(secants, right, across=secants)
 
     def restrained(self) -> bool:
         """Whether soil and holds carry any small load, wherever the soil has some capacity."""
         moduli = self._capacity_moduli
-        self._state = (
-            np.zeros((self._count, self.components)),
-            *np.zeros((2, self._count)),
-            moduli,
-        )
         return self._solve(moduli, np.zeros(self.size), across=moduli) is not None
+
+    def motions(self, states: Array) -> Array:
+        """What all points feel of some states, (steps, size): shape (steps, components, points)."""
+        steps, m = len(states), self.components
+        columns = states.reshape(steps, -1, m).transpose(1, 0, 2).reshape(-1, steps * m)
+        seen = self._observe.dot(columns)[: self._count]
+        return np.ascontiguousarray(seen.reshape(-1, steps, m).transpose(1, 2, 0))
+
+    def leave_rest(self, load: Array) -> Array | None:
+        """Unknowns on the way from rest to a load; None where the tangent at rest is a better one.
+
+        A cube root's infinite slope at rest would let the first steps of an iteration move next to
+        nothing. Secants at a millimetre take its place, if the soil moves so far at all.
+        """
+        force, modulus = self.react(np.outer((0.0, _FIRST), np.ones(self._count)))
+        secants = force[1] / _FIRST
+        if not (modulus[0] > _STEEP * np.abs(secants)).any():
+            return None
+        q = self._solve(secants, load, across=secants)
+        if q is None or np.abs(self.displacement(q)).max() < 0.1 * _FIRST:
+            return None
+        return q
+
+    def follow(self, q: Array, change: Array) -> Array | None:
+        """Move of the unknowns, from an equilibrium q, that a small change of the load asks for."""
+        if self._at is not q:
+            self.internal(q)
+        return self.solve(change)
 
     def _solve(self, modulus: Array, right: Array, across: Array | None = None) -> Array | None:
         """Solve with moduli along the displacement, and across it (None: the exact secants)."""
@@ -285,9 +305,9 @@ class System:
         """Lower band of the matrix with these moduli, shape (width, size), Fortran order."""
         if self.components == 2:
             modulus = self._vector_moduli(modulus, across)
-        band = self._spread @ modulus
-        band += self._linear
-        return np.asarray(band.reshape((self.width, self.size), order="F"))
+        band = self._linear.copy()
+        add_product(self._spread, modulus, band)
+        return band.reshape((self.width, self.size), order="F")
 
     def tangent(self) -> Array:
         """Lower band of the exact tangent at the last `internal`, held unknowns apart from it."""
@@ -309,17 +329,34 @@ class System:
 
     def _vector_moduli(self, along: Array, across: Array | None) -> Array:
         """xx, yy and xy moduli, one after the other, of a reaction along the displacement."""
-        u, distance, force, modulus = self._state
+        if across is along:
+            return np.concatenate([across, across, np.zeros(self._count)])
+        u, distance, _, _, exact = self._state
         if across is None:
-            across = secant(force, distance, modulus)
-        direction = np.divide(u, distance[:, None], out=np.zeros_like(u), where=u != 0.0)
-        more = (along - across)[:, None] * direction
-        count = len(distance)
-        moduli = np.empty(3 * count)
-        moduli[:count] = across + more[:, 0] * direction[:, 0]
-        moduli[count : 2 * count] = across + more[:, 1] * direction[:, 1]
-        moduli[2 * count :] = more[:, 0] * direction[:, 1]
-        return moduli
+            assert exact is not None
+            across = exact
+        return directed(along, across, u, distance).ravel()
+
+
+def directed(along: Array, across: Array, u: Array, distance: Array) -> Array:
+    """xx, yy and xy moduli, shape (..., 3, count), of moduli along displacements and across them.
+
+    along, across, distance: shape (..., count); u: (..., count, 2), of no length 0.
+    """
+    moduli = np.empty((*along.shape[:-1], 3, along.shape[-1]))
+    xx, yy, xy = moduli[..., 0, :], moduli[..., 1, :], moduli[..., 2, :]
+    share = along - across
+    share /= distance
+    share /= distance
+    x, y = u[..., 0], u[..., 1]
+    np.multiply(share, x, out=xx)
+    np.multiply(xx, y, out=xy)
+    xx *= x
+    share *= y
+    np.multiply(share, y, out=yy)
+    xx += across
+    yy += across
+    return moduli
 
 
 def _compact(matrix: sparse.csr_array) -> sparse.csr_array | Array:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import ClassVar, TypeAlias
+from typing import ClassVar, Protocol, TypeAlias, runtime_checkable
 
 import numpy as np
 
@@ -53,6 +53,21 @@ class Polyline:
             self.scale,
         )
 
+    @classmethod
+    def joined(cls, curves: "Sequence[Polyline]") -> "Polyline":
+        """Curves at one point after the other, each with the nodes of all."""
+        nodes = np.unique(np.concatenate([c.nodes for c in curves]))
+        values, scales = [], []
+        for c in curves:
+            count, n = np.broadcast_shapes(c.values.shape, c.scale.shape)
+            own = np.broadcast_to(c.values, (count, n))
+            left = np.clip(np.searchsorted(c.nodes, nodes, side="right") - 1, 0, count - 2)
+            first, width = c.nodes[left], np.diff(c.nodes)[left]
+            share = np.clip((nodes - first) / width, 0.0, 1.0)[:, None]
+            values.append((1.0 - share) * own[left] + share * own[left + 1])
+            scales.append(np.broadcast_to(c.scale, (n,)))
+        return cls(nodes, np.concatenate(values, axis=1), np.concatenate(scales))
+
     @cached_property
     def _segments(self) -> tuple[Array, Index, Array, Array]:
         """Edges, and of every segment of every point the intercept and the slope, flattened.
@@ -87,6 +102,15 @@ class Polyline:
         return force, stiffness
 
 
+@runtime_checkable
+class Drawn(Protocol):
+    """A law that may be straight lines alone."""
+
+    @property
+    def polyline(self) -> Polyline | None:
+        """Its lines, None where it has others."""
+
+
 class TableLaw(Law):
     """A law that is a polyline at each of its points."""
 
@@ -94,6 +118,10 @@ class TableLaw(Law):
     @abstractmethod
     def _backbone(self) -> Polyline:
         """The curve, made once."""
+
+    @property
+    def polyline(self) -> Polyline:
+        return self._backbone
 
     @property
     def capacity(self) -> Array:

@@ -254,10 +254,9 @@ class Profile:
 
 
 def profile_of(scene: Scene, foundation: Foundation, axial: bool | None = None) -> Profile:
-    """The ground as a foundation's outermost tube meets it; axial: as the scene says, or forced."""
-    tip = scene.tubes[foundation.tubes[0]].tip
+    """The ground as a foundation's tubes meet it; axial: as the scene says, or forced."""
     curves = scene.numerics.axial_curves if axial is None else axial
-    return Profile(scene.ground, foundation.mudline - tip, curves)
+    return Profile(scene.ground, foundation.mudline - scene.tip(foundation), curves)
 
 
 def _type_of(curve: Curve) -> tuple[object, ...]:

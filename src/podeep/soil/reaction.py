@@ -1,15 +1,19 @@
 """The reaction of the soil at many points: laws, each at its points, added up."""
 
-from collections.abc import Callable
-from dataclasses import dataclass, fields
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from itertools import pairwise
+from itertools import accumulate, groupby
 from typing import Any
 
 import numpy as np
 
 from ..arrays import Array, Index
+from .backbone import Drawn, Polyline
 from .law import Law
+
+_MOST_NODES = 64  # of straight lines that are evaluated together
+_Evaluate = Callable[[Array], tuple[Array, Array]]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,51 +61,79 @@ class Reaction:
             total[term.at] += share * term.law.capacity
         return total
 
-    @cached_property
-    def _only(self) -> Law | None:
-        """The law of all points where there is just one."""
-        if len(self.laws) == 1 and self.laws[0].weight is None:
-            return self.laws[0].law if len(self.laws[0].at) == self.size else None
-        return None
+    @classmethod
+    def joined(cls, parts: "Sequence[Reaction]") -> "Reaction":
+        """Reactions at one part's points after the other's."""
+        starts = list(accumulate((part.size for part in parts), initial=0))
+        moved = [
+            replace(term, at=term.at + start)
+            for part, start in zip(parts, starts, strict=False)
+            for term in part.laws
+        ]
+        return cls(starts[-1], tuple(moved))
 
     @cached_property
-    def _plan(self) -> tuple[Index | None, list[slice], Array | None, list[Index]]:
+    def _pieces(self) -> list[tuple[_Evaluate, slice]]:
+        """What is evaluated at which packed points: laws, straight lines side by side as one."""
+        pieces: list[tuple[_Evaluate, slice]] = []
+        start = 0
+        for lines, group in groupby(self.laws, lambda t: polyline(t.law) is not None):
+            terms = list(group)
+            curves = [c for t in terms if (c := polyline(t.law))]
+            if lines and sum(len(c.nodes) for c in curves) <= _MOST_NODES:
+                together = [(Polyline.joined(curves).evaluate, sum(len(t.at) for t in terms))]
+            else:
+                together = [(t.law.evaluate, len(t.at)) for t in terms]
+            for evaluate, count in together:
+                pieces.append((evaluate, slice(start, start + count)))
+                start += count
+        return pieces
+
+    @cached_property
+    def _plan(self) -> tuple[Index | None, Array | None, list[Index]]:
         """How points are packed so that each law has its own stretch, and how they come back.
 
-        The points in packed order, None where that is their own; each law's stretch; its weights;
-        and the places in the packed order that add up to each point, one after the other (the last
-        place holds 0).
+        The points in packed order, None where that is their own; their weights; and the places in
+        the packed order that add up to each point, one after the other (the last place holds 0).
         """
         packed = np.concatenate([np.zeros(0, dtype=np.intp), *(term.at for term in self.laws)])
-        ends = np.cumsum([0, *(len(term.at) for term in self.laws)])
-        stretches = [slice(a, b) for a, b in pairwise(ends.tolist())]
         shares = [np.ones(len(t.at)) if t.weight is None else t.weight for t in self.laws]
         weight = np.concatenate(shares) if any(t.weight is not None for t in self.laws) else None
         if np.array_equal(packed, np.arange(self.size)):
-            return None, stretches, weight, []
+            return None, weight, []
         seen = np.zeros(self.size, dtype=np.intp)
         places = np.full((max(len(self.laws), 1), self.size), len(packed))
-        for term, stretch in zip(self.laws, stretches, strict=True):
-            places[seen[term.at], term.at] = np.arange(stretch.start, stretch.stop)
+        first = 0
+        for term in self.laws:
+            places[seen[term.at], term.at] = np.arange(first, first + len(term.at))
             seen[term.at] += 1
+            first += len(term.at)
         depth = max(int(seen.max(initial=0)), 1)
-        return packed, stretches, weight, list(places[:depth])
+        return packed, weight, list(places[:depth])
 
     def evaluate(self, u: Array) -> tuple[Array, Array]:
         """Force and its derivative at displacements u of shape (..., n): N/m, or N at a tip."""
-        if self._only is not None:
-            return self._only.evaluate(u)
-        packed, stretches, weight, places = self._plan
+        packed, weight, places = self._plan
         v = u if packed is None else u.take(packed, axis=-1)
-        force, stiffness = np.empty(v.shape), np.empty(v.shape)
-        for term, stretch in zip(self.laws, stretches, strict=True):
-            force[..., stretch], stiffness[..., stretch] = term.law.evaluate(v[..., stretch])
+        pieces = self._pieces
+        if len(pieces) == 1:
+            force, stiffness = pieces[0][0](v)
+        else:
+            force, stiffness = np.empty(v.shape), np.empty(v.shape)
+            for evaluate, stretch in pieces:
+                at = stretch if v.ndim == 1 else (..., stretch)
+                force[at], stiffness[at] = evaluate(v[at])
         if weight is not None:
-            force *= weight
-            stiffness *= weight
+            force, stiffness = force * weight, stiffness * weight
         if packed is None:
             return force, stiffness
         return _unpacked(force, places), _unpacked(stiffness, places)
+
+
+def polyline(law: Law) -> Polyline | None:
+    """The straight lines that a law is; None where it is more, or their nodes differ by point."""
+    lines = law.polyline if isinstance(law, Drawn) else None
+    return lines if type(lines) is Polyline else None
 
 
 def _unpacked(packed: Array, places: list[Index]) -> Array:

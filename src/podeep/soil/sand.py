@@ -83,11 +83,13 @@ class Sand(LayeredLaw):
 
     def evaluate(self, u: Array) -> tuple[Array, Array]:
         peak, initial, rate = self._backbone
-        ratio = np.tanh(u * rate)
+        ratio = u * rate
+        np.tanh(ratio, out=ratio)
         force = peak * ratio
         ratio *= ratio
         ratio *= initial
-        return force, initial - ratio
+        np.subtract(initial, ratio, out=ratio)
+        return force, ratio
 
 
 def failure_width(depth: Values, diameter: Values, friction_angle: Values) -> Array:

@@ -7,13 +7,14 @@ from types import MappingProxyType
 from typing import ClassVar
 
 import numpy as np
+from scipy.linalg import blas
 
 from ..arrays import Array
 from ..errors import InvalidData
 from .backbone import Points, Polyline, Values
 from .law import LayeredLaw
 
-_TOE = 1e-6  # y/y50 that rounds off the cube root's infinite slope
+_TOE = 1e-10  # y/y50 that rounds off the cube root's infinite slope
 _CORNER, _END = 3.0, 15.0  # y/y50 between which cyclic resistance falls
 
 #: (y/y50, p/pu) of the published tables up to their peak, by shape
@@ -35,30 +36,33 @@ class _CubeRoot:
     reach: float
 
     @cached_property
-    def _third(self) -> Array:
-        return self.half / (3.0 * self.y50)
+    def _factors(self) -> tuple[Array, Array, Array]:
+        """Of the secant modulus; of the square that rounds the root off; 2/3 of this square."""
+        toe = np.square(_TOE * self.y50)
+        return self.half / np.cbrt(self.y50), toe, toe * (2.0 / 3.0)
 
     @cached_property
-    def _limits(self) -> tuple[Array, float]:
-        return -self.level, self.reach**2 + _TOE**2
+    def _plateau(self) -> tuple[Array, float]:
+        """Squares from which the level is kept, and the least of them."""
+        squares = np.square(self.reach * self.y50) + self._factors[1]
+        return squares, float(squares.min(initial=np.inf))
 
     def evaluate(self, u: Array) -> tuple[Array, Array]:
-        lower, plateau = self._limits
-        s = u / self.y50
-        square = s * s
-        square += _TOE**2
-        root = np.cbrt(square)
-        force = s
-        force /= root
-        force *= self.half
-        np.minimum(force, self.level, out=force)
-        np.maximum(force, lower, out=force)
-        root *= square
-        stiffness = square + 2.0 * _TOE**2
-        stiffness /= root
-        stiffness *= self._third
-        stiffness *= square < plateau
-        return force, stiffness
+        factor, toe, two_thirds = self._factors
+        square = u * u
+        square += toe
+        secant = np.cbrt(square)
+        np.divide(factor, secant, out=secant)
+        stiffness = two_thirds / square
+        stiffness += 1.0 / 3.0
+        stiffness *= secant
+        secant *= u
+        squares, first = self._plateau
+        if square.size and square.flat[blas.idamax(square.ravel())] >= first:
+            beyond = square >= squares
+            np.copysign(self.level, u, out=secant, where=beyond)
+            stiffness[beyond] = 0.0
+        return secant, stiffness
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +83,8 @@ class SoftClay(LayeredLaw):
     X >= XR, p3 from there on; above XR, a straight line to p3 X/XR at s = 15, then constant.
 
     The cube root has an infinite slope at rest. It is rounded to s / (s^2 + d^2)^(1/3) with
-    d = 1e-6, which takes 3e-9 of p at s = 0.01 and 5e-15 at s = 8; p never exceeds its plateau.
+    d = 1e-10, which takes 3e-9 of p at s = 1e-6 and nothing at s = 0.01; p never exceeds its
+    plateau.
 
     depth X (m), diameter D (m), effective_overburden s'v (Pa; integral over the layers above),
     undrained_shear_strength su (Pa), effective_unit_weight g' (N/m3; local, for XR alone),
@@ -163,6 +168,10 @@ class SoftClay(LayeredLaw):
         if not loss.any():
             return root, None
         return root, Polyline.through(((0, 0), (_CORNER, 0), (_END, 1)), loss, y50)
+
+    @property
+    def polyline(self) -> Polyline | None:
+        return None if self.shape == "POWER" else self._table
 
     @property
     def derived(self) -> Mapping[str, Array]:

@@ -16,7 +16,7 @@ from .law import LayeredLaw
 
 _TINY = 1e-150  # keeps a quotient finite where its divisor is 0
 _LEAST_DEPTH = 0.1  # of a diameter, in k z
-_TOE = 1e-6  # y/y50 that rounds off the fourth root's infinite slope
+_TOE = 1e-10  # y/y50 that rounds off the fourth root's infinite slope
 _PLATEAU = 16.0  # y/y50 from which the fourth root's law is constant
 
 #: Bounds between the classes of strength (Pa), and k of each class (N/m3).
@@ -203,7 +203,7 @@ class StiffClay(LayeredLaw):
     y50 times that factor, its plateau from 16 y50 (1 + 0.6 log10 N) on. No strength is lost.
 
     The fourth root has an infinite slope at rest. It is rounded to s / (s^2 + d^2)^(3/8),
-    s = y/y50, with d = 1e-6, which takes 4e-9 of p at s = 0.01 and 1.5e-15 at s = 16; p never
+    s = y/y50, with d = 1e-10, which takes 4e-9 of p at s = 1e-6 and nothing at s = 0.01; p never
     exceeds pu.
 
     depth X (m), diameter D (m), effective_overburden s'v (Pa; integral over the layers above,

@@ -1,5 +1,6 @@
 """A foundation from scene to solved states: model, steps, error estimate, refinement."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -7,15 +8,16 @@ import numpy as np
 from ..arrays import Array
 from ..errors import Fault, UserError
 from ..model.assemble import Model, assemble, cut
-from ..model.effects import check_shear
+from ..model.effects import PDELTA, check_shear, on_normal_force
 from ..model.mesh import edges
 from ..model.needs import needs
 from ..model.results import Results
 from ..scene import Foundation, Scene
 from ..soil.profile import profile_of
-from .accuracy import Estimate, estimate, refine, unestimated
+from .accuracy import Estimate, estimate, unestimated
 from .newton import Limits
 from .path import Path, follow
+from .refine import Unresolved, finer, unresolved
 from .statics import Failure, NoEquilibrium, State, steps
 
 DEGREE = 5  # of the deflection in an element, unless the scene says otherwise
@@ -61,17 +63,23 @@ class Solved:
     @property
     def results(self) -> Results:
         """All steps at once."""
-        return Results(
-            self.model,
-            np.array([s.lateral for s in self.states]),
-            np.array([s.axial for s in self.states]),
-        )
+        return results_of(self.model, self.states)
+
+
+def results_of(model: Model, states: Sequence[State]) -> Results:
+    """The states of a model at once."""
+    return Results(
+        model, np.array([s.lateral for s in states]), np.array([s.axial for s in states])
+    )
 
 
 def limits(scene: Scene) -> Limits:
-    """Iteration limits: what the accuracy needs; *NEWTONSTAT can only tighten them."""
+    """Iteration limits: what the accuracy needs; *NEWTONSTAT can only tighten them.
+
+    Forces between tubes are small beside those on them, and have to be in balance too.
+    """
     newton = scene.newton
-    own = min(1e-3 * scene.numerics.accuracy, 1e-6)
+    own = min(1e-3 * scene.numerics.accuracy, 1e-10 if scene.slidings else 1e-6)
     return Limits(
         residual=max(min(own, newton.force, newton.moment), 1e-13),
         increment=min(newton.translation, newton.rotation),
@@ -86,20 +94,28 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
     of displacement, reaction and moment is within the accuracy; a number of elements given by the
     scene is taken as it is.
     """
-    model = first_model(scene, foundation)
-    factors = np.array(scene.steps.factors).reshape(len(scene.steps.factors), -1)
+    model, begun = suited_model(scene, foundation)
+    factors = factors_of(scene)
+    accuracy = scene.numerics.accuracy
     best: Solved | None = None
     stale = 0
+    if begun:
+        nothing = (unestimated(len(begun)),) * 2
+        return Solved(model, tuple(begun), nothing, None, accuracy, interrupted=True)
     for _ in range(_ROUNDS):
         states, failure, interrupted = run(model, factors, limits(scene))
-        accuracy, path = scene.numerics.accuracy, None
+        if not states:  # the tubes do not bear their own weight
+            nothing = (unestimated(0),) * 2
+            return Solved(model, (), nothing, failure, accuracy, interrupted=interrupted)
+        path = None
         try:
             if failure is not None and scene.numerics.follow_path:
                 path = follow(model, failure, limits(scene))
                 states += path.states
-            found = estimate(model, rebuilt(scene, model, model.edges, 1), states, accuracy, path)
         except KeyboardInterrupt:
-            found, interrupted = (unestimated(model, len(states)),) * 2, True
+            interrupted = True
+        parts, found, stopped = estimated(scene, model, states, path)
+        interrupted = interrupted or stopped
         one = Solved(model, tuple(states), found, failure, accuracy, path, interrupted)
         if best is None or better(one, best):
             best, stale = one, 0
@@ -108,12 +124,28 @@ def solve(scene: Scene, foundation: Foundation) -> Solved:
         enough = best.accurate or interrupted or scene.numerics.elements is not None
         if enough or stale == _PATIENCE or 2 * model.elements > _MOST_ELEMENTS:
             break
-        finer = refine(model, found, accuracy)
-        if len(finer) == len(model.edges):
+        poor = [e.worst > accuracy for e in found]
+        boundaries = finer(parts, [poor[one.problem is model.axial] for one in parts])
+        if len(boundaries) == len(model.edges):
             break
-        model = rebuilt(scene, model, finer, 0)
+        model = rebuilt(scene, model, boundaries, 0)
     assert best is not None
     return best
+
+
+def estimated(
+    scene: Scene, model: Model, states: Sequence[State], path: Path | None
+) -> tuple[tuple[Unresolved, ...], tuple[Estimate, Estimate], bool]:
+    """What the elements do not resolve, estimated errors, and whether the user ended it."""
+    old = results_of(model, states)
+    parts = unresolved(old)
+    try:
+        every = np.ones(len(states), dtype=bool)
+        richer = rebuilt(scene, model, finer(parts, [every] * len(parts)), 1)
+        found = estimate(old, richer, states, parts, path)
+    except KeyboardInterrupt:
+        return parts, (unestimated(len(states)),) * 2, True
+    return parts, found, False
 
 
 def better(one: Solved, other: Solved) -> bool:
@@ -121,6 +153,35 @@ def better(one: Solved, other: Solved) -> bool:
     if one.steps != other.steps:
         return one.steps > other.steps
     return one.error < other.error
+
+
+def factors_of(scene: Scene) -> Array:
+    """Load factors, shape (steps, names)."""
+    return np.array(scene.steps.factors).reshape(len(scene.steps.factors), -1)
+
+
+def suited_model(scene: Scene, foundation: Foundation) -> tuple[Model, list[State]]:
+    """The first model with all that the scene needs.
+
+    Whether the normal force bends the tubes further is told by a solution without it. The states
+    are those of this solution if the user ended it, otherwise none. Raises UserError where a curve
+    cannot be evaluated.
+    """
+    model = first_model(scene, foundation)
+    open_ = scene.numerics.second_order is None and model.needs.axial
+    if not open_ or not (model.lateral.forces.any() or model.lateral.imposed.any()):
+        return model, []
+    states, failure, interrupted = run(model, factors_of(scene), limits(scene))
+    if interrupted:
+        return model, states
+    if not states:
+        return model, []
+    found = results_of(model, states)
+    decision = on_normal_force(found, scene.numerics.accuracy, complete=failure is None)
+    if decision is None:
+        return model, []
+    needs = replace(model.needs.told(decision), second_order=decision.choice == PDELTA)
+    return rebuilt(scene, replace(model, needs=needs), model.edges, 0), []
 
 
 def first_model(scene: Scene, foundation: Foundation) -> Model:

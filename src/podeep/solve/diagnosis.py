@@ -90,7 +90,7 @@ def axial_capacity(solved: Solved, tension: bool) -> str:
     """Peak friction over the shaft, and in compression the bearing of the tip."""
     points = solved.model.axial.system.points
     shaft = points[0].weight @ points[0].reaction.capacity
-    tip = sum(p.weight @ p.reaction.capacity for p in points[1:])
+    tip = sum(p.weight @ p.reaction.capacity for p in points if not p.spread)
     if tension:
         return f"capacity in tension: shaft {shaft:.4g} N"
     return f"capacity in compression: shaft {shaft:.4g} N, tip {tip:.4g} N"

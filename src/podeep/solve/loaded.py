@@ -11,7 +11,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..model.assemble import Model, Problem
-from ..model.results import compression
+from ..model.coupling import pressing, under
 from ..model.system import System
 from .newton import Ending, Limits, Work, newton
 from .statics import Which
@@ -92,12 +92,11 @@ class Squeeze:
         if found.ending is not Ending.CONVERGED:
             return None
         self.axial = found.q
-        x = self.model.lateral.system.compression_points
-        force = compression(self.model, found.q, x)
-        nearby = compression(self.model, found.q + _DIFFERENCE * self._move(), x)
         bare = self.model.lateral.system
-        change = bare.compressed((nearby - force) / _DIFFERENCE).internal(q) - bare.internal(q)
-        return bare.compressed(force), change
+        force = pressing(self.model, found.q, q, bare)
+        nearby = pressing(self.model, found.q + _DIFFERENCE * self._move(), q, bare)
+        change = under(bare, (nearby - force) / _DIFFERENCE).internal(q) - bare.internal(q)
+        return under(bare, force), change
 
     def _move(self) -> Array:
         """What the stretch grows by for each unit of the factor, at its last state."""
@@ -122,6 +121,6 @@ def loaded_at(
     """
     problem = model.lateral if which == "lateral" else model.axial
     squeeze = None
-    if which == "lateral" and len(problem.system.compression_points):
+    if which == "lateral" and problem.system.second_order:
         squeeze = Squeeze(model, axial, *line, replace(limits, residual=_EXACT))
     return Loaded(problem, *line, squeeze)

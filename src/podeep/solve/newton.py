@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
+from math import isfinite
 from typing import Literal
 
 import numpy as np
@@ -13,9 +14,11 @@ from ..model.system import System
 
 _CUT = 0.5  # a step is accepted when the slope of the energy fell to this share
 _SEARCHES = 40
+_GROWTH = 4.0  # of a step too short, after which the energy still falls as steeply
+_AWAY = 1e4  # lengths of the tube: one that moved so far, still out of balance, is not held
 _REST = 1e-6  # share of the run's largest force and unknown below which a state is at rest
-_STILL = 0.1  # of the limit of the residual: share of the unknowns that a step of rounding moves
-_ROUNDING_CAP = 1e-3  # rounding may excuse a residual up to this share of the forces, never more
+STILL = 0.1  # of the limit of the residual: share of the unknowns that a step of rounding moves
+ROUNDING_CAP = 1e-3  # rounding may excuse a residual up to this share of the forces, never more
 _EPS = float(np.finfo(float).eps)
 
 
@@ -89,52 +92,73 @@ def newton(
 
     Short elements on a stiff tube make forces of mere rounding. Then the residual cannot become
     small, but the step that would remove it can: it is equilibrium when that step moves nothing.
+    Rounding is measured against loads and soil, and excuses nothing on a tube that runs away.
     """
     work = Work()
+    held = system.held if len(system.held) else None
 
     def evaluate(q: Array) -> tuple[Array, Array]:
         internal = system.internal(q)
         work.evaluations += 1
         residual = load - internal
-        if len(system.held):
-            residual[system.held] = 0.0
+        if held is not None:
+            residual[held] = 0.0
         return internal, residual
 
     solve = system.solve_by_secants if limits.method == "secant" else system.solve
     go = whole_step if limits.method == "full steps" else search
     least = max(largest(load), _REST * scale.force)
-    q, increment = start, 0.0
+    length = float(np.ptp(system.field.edges))
+    q = before = start
     internal, residual = evaluate(q)
     ending = Ending.EXHAUSTED
     for remaining in range(limits.iterations, -1, -1):
         size = max(largest(internal), least)
         worst = largest(residual)
-        if not np.isfinite(worst):
+        if not isfinite(worst):
             ending = Ending.MECHANISM
             break
-        if worst <= limits.residual * size and increment <= limits.increment:
+        if worst <= limits.residual * size and moved(q, before, scale) <= limits.increment:
             ending = Ending.CONVERGED
             break
         if remaining == 0:
             break
-        step = solve(residual)
-        work.iterations += 1
-        if step is None or not np.isfinite(slope := float(step @ residual)):
+        if largest(q) > _AWAY * length:
             ending = Ending.MECHANISM
             break
-        if unmoved(system, q, step, (worst, size), limits, scale):
+        step = solve(residual)
+        work.iterations += 1
+        if step is None or not isfinite(slope := blas.ddot(step, residual)):
+            ending = Ending.MECHANISM
+            break
+        if (
+            unmoved(system, q, step, (worst, size), limits, scale)
+            and largest(q) <= length
+            and worst <= ROUNDING_CAP * max(least, system.total_reaction())
+        ):
             ending = Ending.CONVERGED
             break
-        reach = max(largest(q), _REST * scale.unknown)
         before = q
         q, internal, residual = go(evaluate, q, step, slope)
-        increment = largest(q - before) / reach if reach else 0.0
     return Outcome(q, internal, ending, worst / size if size else 0.0, work)
+
+
+def moved(q: Array, before: Array, scale: Scale) -> float:
+    """Largest part of an unknown that the last step moved over the largest unknown before it."""
+    if q is before:
+        return 0.0
+    reach = reach_of(before, scale)
+    return largest(q - before) / reach if reach else 0.0
+
+
+def reach_of(q: Array, scale: Scale) -> float:
+    """Largest unknown, or a share of the run's, m."""
+    return max(largest(q), _REST * scale.unknown)
 
 
 def largest(x: Array) -> float:
     """Largest magnitude; BLAS needs one call where NumPy needs two."""
-    return abs(float(x[blas.idamax(x)]))
+    return abs(x.item(blas.idamax(x)))
 
 
 def unmoved(
@@ -150,21 +174,24 @@ def unmoved(
     forces: the largest force out of balance and the largest force, N.
     """
     worst, size = forces
-    reach = max(largest(q), _REST * scale.unknown)
-    still = largest(step) <= _STILL * limits.residual * reach
-    return still and worst <= min(rounding(system, q), _ROUNDING_CAP * size)
+    return (
+        worst <= ROUNDING_CAP * size
+        and largest(step) <= STILL * limits.residual * reach_of(q, scale)
+        and worst <= float(rounding(system, q))
+    )
 
 
-def rounding(system: System, q: Array) -> float:
-    """What rounding alone may leave of the residual, N."""
-    return 64.0 * _EPS * float((system.diagonal * np.abs(q)).max())
+def rounding(system: System, q: Array) -> Array:
+    """What rounding alone may leave of the residual, N; q: shape (..., size)."""
+    return np.asarray(64.0 * _EPS * (system.diagonal * np.abs(q)).max(axis=-1))
 
 
 def whole_step(
     evaluate: Callable[[Array], tuple[Array, Array]], q: Array, step: Array, slope: float
 ) -> tuple[Array, Array, Array]:
     """The end of `step`, wherever that leads."""
-    return q + step, *evaluate(q + step)
+    trial = q + step
+    return trial, *evaluate(trial)
 
 
 def search(
@@ -173,24 +200,26 @@ def search(
     """A point along `step` where the energy falls much less steeply than at its start.
 
     `slope` is the (positive) product of step and residual at the start. The full step nearly
-    always does; one that overshoots, as on the cube root's infinite slope, is cut by the Illinois
-    form of the rule of false position. Returns unknowns, internal forces and residual there.
+    always does. One that overshoots, as on the cube root's infinite slope, is cut by the Illinois
+    form of the rule of false position. One that is short, as where hardly any soil has a modulus
+    left, is lengthened: without end, if nothing holds the tube. Returns unknowns, internal forces
+    and residual there.
     """
-    trial = q + step
-    internal, residual = evaluate(trial)
-    g = float(step @ residual)
-    low, high, g_low, g_high = 0.0, 1.0, slope, g
+    low, high, g_low, g_high, s = 0.0, np.inf, slope, 0.0, 1.0
     for _ in range(_SEARCHES):
-        if g >= -_CUT * slope and (g <= _CUT * slope or high == 1.0):
-            break
-        s = low + (high - low) * g_low / (g_low - g_high)
-        margin = 0.02 * (high - low)
-        s = min(max(s, low + margin), high - margin)
         trial = q + s * step
         internal, residual = evaluate(trial)
-        g = float(step @ residual)
+        g = blas.ddot(step, residual)
+        if abs(g) <= _CUT * slope:
+            break
         if g > 0.0:
             low, g_low, g_high = s, g, 0.5 * g_high
         else:
             high, g_high, g_low = s, g, 0.5 * g_low
+        if high == np.inf:
+            s *= _GROWTH
+        else:
+            margin = 0.02 * (high - low)
+            s = low + (high - low) * g_low / (g_low - g_high)
+            s = min(max(s, low + margin), high - margin)
     return trial, internal, residual

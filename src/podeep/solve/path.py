@@ -4,18 +4,19 @@ The problem that failed is followed by arc length from its last stable equilibri
 is brought to each of its load factors.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
 
 from ..arrays import Array
 from ..model.assemble import Model, Problem
+from ..model.coupling import pressed, rubs
 from .advance import Track
 from .continuation import Point, Walk, Way
 from .loaded import loaded_at
 from .newton import Ending, Limits, Scale, largest
-from .statics import Failure, State, Which, advance_deflection, advance_stretch, compress
+from .statics import Failure, State, Which, advance_deflection, advance_stretch
 
 STRIDE = 0.02  # between states: relative change of displacements and of load together
 _MOST = 500  # states
@@ -33,6 +34,7 @@ class PathEnd(Enum):
     RISEN = "the loads of the step are reached again, on the far side of the fall"
     LONG = f"{_MOST} states were followed"
     OTHER = "the other problem (lateral or axial) has no equilibrium at these loads"
+    RUBBING = "tubes that rub against each other are not followed beyond a peak"
     LOST = (
         "the curve turns too sharply to be followed, as with a reaction that drops at once; let it "
         "drop over a longer displacement"
@@ -69,6 +71,9 @@ class Path:
 
 def follow(model: Model, failure: Failure, limits: Limits) -> Path:
     """Follow the equilibria beyond a failure, from the peak on."""
+    bare = (failure.which, failure.factors, (), (), failure.growth, 0.0)
+    if rubs(model.axial.system):
+        return Path(*bare, PathEnd.RUBBING)
     lateral = _track(model, failure, "lateral", limits)
     axial = _track(model, failure, "axial", limits)
     main, other = (lateral, axial) if failure.which == "lateral" else (axial, lateral)
@@ -77,7 +82,7 @@ def follow(model: Model, failure: Failure, limits: Limits) -> Path:
         loaded_at(model, failure.which, line, axial.q, limits), main.q, limits, main.scale
     )
     if walk is None:
-        return Path(failure.which, failure.factors, (), (), failure.growth, 0.0, PathEnd.LOST)
+        return Path(*bare, PathEnd.LOST)
     judge = _Judge(model, failure, walk)
     states: list[State] = []
     ahead: list[Way] = []
@@ -132,8 +137,9 @@ def _track(model: Model, failure: Failure, which: Which, limits: Limits) -> Trac
     problem: Problem = getattr(model, which)
     q: Array = getattr(failure, which)
     track = Track(problem, limits, q, problem.system.internal(q))
-    if which == "lateral" and len(problem.system.compression_points):
-        compress(model, track, failure.axial)
+    if which == "lateral" and problem.system.second_order:
+        system = pressed(model, failure.axial, q, problem.system)
+        track.problem = replace(problem, system=system)
         track.internal = track.problem.system.internal(q)
     track.scale = Scale(largest(track.internal), largest(q))
     return track
@@ -144,7 +150,9 @@ class _Judge:
 
     def __init__(self, model: Model, failure: Failure, walk: Walk) -> None:
         system = walk.loaded.problem.system
-        self.nodes = system.field.interpolation(system.field.edges)
+        field = system.field
+        self.nodes = np.union1d(field.dofs[:, 0], field.dofs[:, -field.nodal])
+        self.size = field.size
         self.diameter = max(p.section.outer_diameter for p in model.pieces)
         self.most = failure.left
         self.loaded = walk.loaded
@@ -163,7 +171,7 @@ class _Judge:
             level = float(loaded.problem.load(loaded.factors(point.factor)) @ forces)
         else:
             level = float(point.internal @ loaded.moved)
-        shape = self.nodes @ point.q.reshape(self.nodes.shape[1], -1)
+        shape = point.q.reshape(self.size, -1)[self.nodes]
         moved = float(np.linalg.norm(shape, axis=1).max())
         self.levels.append(level)
         if level >= self.peak:

@@ -8,9 +8,10 @@ import numpy as np
 
 from ..arrays import Array
 from ..model.assemble import Model
-from ..model.results import compression
+from ..model.coupling import pressed, rubs
 from .advance import HALVINGS, Advance, Track
 from .newton import Ending, Limits
+from .rubbing import advance_rubbing
 from .yielding import advance_yielding
 
 Which = Literal["lateral", "axial"]
@@ -71,7 +72,7 @@ class NoEquilibrium(Exception):
 
 
 def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
-    """Yield the state of every step, step 0 without load first.
+    """Yield the state of every step, step 0 without load but the tubes' own weight first.
 
     factors: shape (steps, names), those of steps 1 to n. Raises NoEquilibrium, after the states
     that were found, where a step fails even in its smallest parts.
@@ -82,15 +83,13 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
     ]
     before = np.zeros(factors.shape[1])
     alike = same_increment(factors)
-    yield State(0, before, lateral.q, axial.q, 0, 0, 0.0, 1.0, 0.0)
+    yield at_rest(axial, before, lateral.q)
     for step, after in enumerate(factors, start=1):
         if not alike[step - 1]:
             for track in tracks:
-                track.increment = None
+                track.increment = track.tangent = None
         start = replace(axial), replace(lateral)
-        made = [advance_stretch(axial, before, after)]
-        if made[0].outcome.ending is Ending.CONVERGED:
-            made.append(advance_deflection(model, lateral, axial, before, after))
+        made, _ = advance_both(model, axial, lateral, before, after)
         if made[-1].outcome.ending is not Ending.CONVERGED:
             raise NoEquilibrium(stopped(model, start, step, before, after))
         yield State(
@@ -108,6 +107,38 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
         before = after
 
 
+def at_rest(axial: Track, factors: Array, lateral: Array) -> State:
+    """The state before loading; raises NoEquilibrium where the tubes do not bear their weight."""
+    made = axial.advance(factors, factors)
+    ending = made.outcome.ending
+    if ending is not Ending.CONVERGED:
+        growth = np.zeros_like(factors)
+        failure = Failure(0, 0.0, factors, growth, "axial", ending, lateral, axial.q, 0.0)
+        raise NoEquilibrium(failure)
+    work, residual = made.work, made.outcome.residual
+    axial.increment = None
+    return State(
+        *(0, factors, lateral, axial.q, work.iterations, work.evaluations, residual, 1.0),
+        axial.energy,
+    )
+
+
+def advance_both(
+    model: Model, axial: Track, lateral: Track, before: Array, after: Array
+) -> tuple[list[Advance], Which]:
+    """Take both problems from factors `before` to `after`.
+
+    Returns what it took and the problem that was solved last: the one without equilibrium, if
+    there is one.
+    """
+    if rubs(model.axial.system):
+        return advance_rubbing(model, lateral, axial, before, after)
+    made = [advance_stretch(axial, before, after)] if model.needs.axial else []
+    if made and made[0].outcome.ending is not Ending.CONVERGED:
+        return made, "axial"
+    return [*made, advance_deflection(model, lateral, axial, before, after)], "lateral"
+
+
 def stopped(
     model: Model, start: tuple[Track, Track], step: int, before: Array, after: Array
 ) -> Failure:
@@ -116,20 +147,25 @@ def stopped(
     Both problems are under the same factors: the one that comes less far tells what is reached.
     """
     axial, lateral = (replace(track) for track in start)
-    which: Which = "axial"
-    made = advance_stretch(axial, before, after)
-    reached, ending = made.reached, made.outcome.ending
-    factors = before + reached * (after - before)
-    made = advance_deflection(model, lateral, axial, before, factors)
-    if made.outcome.ending is not Ending.CONVERGED:
-        which, ending = "lateral", made.outcome.ending
-        if ending is Ending.YIELDED or len(model.lateral.system.compression_points):
-            part, axial, lateral = largest_part(model, *start, before, factors)
-            reached *= part
-        else:
-            reached *= made.reached
-            axial = replace(start[0])
-            advance_stretch(axial, before, before + reached * (after - before))
+    if rubs(model.axial.system):
+        made, which = advance_rubbing(model, lateral, axial, before, after)
+        ending = made[-1].outcome.ending
+        reached, axial, lateral = largest_part(model, *start, before, after)
+    else:
+        which = "axial"
+        one = advance_stretch(axial, before, after)
+        reached, ending = one.reached, one.outcome.ending
+        factors = before + reached * (after - before)
+        one = advance_deflection(model, lateral, axial, before, factors)
+        if one.outcome.ending is not Ending.CONVERGED:
+            which, ending = "lateral", one.outcome.ending
+            if ending is Ending.YIELDED or model.needs.second_order:
+                part, axial, lateral = largest_part(model, *start, before, factors)
+                reached *= part
+            else:
+                reached *= one.reached
+                axial = replace(start[0])
+                advance_stretch(axial, before, before + reached * (after - before))
     factors = before + reached * (after - before)
     kept = lateral.problem.system.softening
     energy = lateral.energy + axial.energy
@@ -151,8 +187,9 @@ def advance_deflection(
 
     The normal force bends it further, and the vertical load on a spudcan softens that.
     """
-    if len(model.lateral.system.compression_points):
-        compress(model, lateral, axial.q)
+    if model.needs.second_order:
+        system = pressed(model, axial.q, lateral.q, lateral.problem.system)
+        lateral.problem = replace(lateral.problem, system=system)
     if model.footing is None:
         return lateral.advance(before, after)
     load = model.footing.vertical(axial.problem.system, axial.q)
@@ -172,21 +209,12 @@ def largest_part(
         part = 0.5 * (held + broken)
         trial = replace(best[0]), replace(best[1])
         start, target = (before + share * (after - before) for share in (held, part))
-        made = advance_stretch(trial[0], start, target)
-        if made.outcome.ending is Ending.CONVERGED:
-            made = advance_deflection(model, trial[1], trial[0], start, target)
-        if made.outcome.ending is Ending.CONVERGED:
+        made, _ = advance_both(model, *trial, start, target)
+        if made[-1].outcome.ending is Ending.CONVERGED:
             held, best = part, trial
         else:
             broken = part
     return held, *best
-
-
-def compress(model: Model, lateral: Track, axial: Array) -> None:
-    """Put the normal force of a state of the stretch on the deflection."""
-    system = lateral.problem.system
-    force = compression(model, axial, system.compression_points)
-    lateral.problem = replace(lateral.problem, system=system.compressed(force))
 
 
 def same_increment(factors: Array) -> list[bool]:

@@ -80,6 +80,15 @@ def advance_yielding(
         yielded = replace(made.outcome, ending=Ending.YIELDED)
         return Advance(yielded, 0.0, made.smallest, trials.work)
     if made.outcome.ending is Ending.CONVERGED:
-        for name in ("problem", "q", "internal", "increment", "energy", "scale"):
+        for name in (
+            "problem",
+            "q",
+            "internal",
+            "increment",
+            "tangent",
+            "straight",
+            "energy",
+            "scale",
+        ):
             setattr(track, name, getattr(trial, name))
     return Advance(made.outcome, made.reached, made.smallest, trials.work)

@@ -21,7 +21,7 @@ from ..model.assemble import Model, assemble
 from ..model.grid import JUMP
 from ..model.results import Results
 from ..scene import Foundation, Scene
-from ..solve.analysis import Solved, first_model, limits, run, solve
+from ..solve.analysis import Solved, factors_of, limits, run, solve, suited_model
 from ..solve.diagnosis import explain
 from ..solve.newton import Limits
 from ..solve.statics import Failure
@@ -66,12 +66,16 @@ class Probe:
                 [
                     across(results.deflection(self.every)),
                     across(results.lateral_reaction(self.wet)),
-                    across(results.shear_and_moment(self.every)[1]),
+                    across(
+                        results.of_all(
+                            lambda x, tube: results.shear_and_moment(x, tube)[1], self.every
+                        )
+                    ),
                 ],
                 [
                     largest(results.settlement(self.every)),
                     largest(results.axial_reaction(self.wet)),
-                    largest(results.compression(self.every)),
+                    largest(results.of_all(results.compression, self.every)),
                 ],
             ]
         )
@@ -90,7 +94,9 @@ def chart(scene: Scene, foundation: Foundation, *, quick: bool = False, tell: Te
 
     Raises AnalysisFailed where the scene itself has no equilibrium in some step.
     """
-    base = first_model(scene, foundation)
+    base, begun = suited_model(scene, foundation)
+    if begun:
+        raise KeyboardInterrupt
     return measured(scene, base, plan(base, quick=quick), tell)
 
 
@@ -180,11 +186,6 @@ def states_of(
     return Results(model, lateral, axial), failure, work
 
 
-def factors_of(scene: Scene) -> Array:
-    """Load factors, shape (steps, names)."""
-    return np.array(scene.steps.factors).reshape(len(scene.steps.factors), -1)
-
-
 def said(failure: Failure) -> str:
     """Why a step failed, in a line."""
     return f"step {failure.step}, {failure.which}: {failure.ending.value}"
@@ -202,9 +203,6 @@ def solved_row(
     scene: Scene, base: Model, setting: Setting, probe: Probe, true: Array
 ) -> tuple[Row, Body]:
     """A setting solved once, and the body to be timed."""
-    if base.needs.second_order and setting.series.reactions == "lumped":
-        why = "not offered: the normal force on the slope (PDELTA) needs integrated reactions"
-        return Row(setting, failure=why), lambda: None
     limit, factors = limits_of(scene, setting), factors_of(scene)
     start = time.process_time()
     try:

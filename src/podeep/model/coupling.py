@@ -1,0 +1,62 @@
+"""What deflection and stretch owe each other, each time one of them has moved.
+
+The normal force of the stretch works on the slope of the deflection; tubes that press against each
+other as they deflect rub as they stretch.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..arrays import Array
+from .assemble import Model
+from .compression import compression
+from .contact import reaction
+from .points import Points
+from .results import apart, axial_ends, tube_force
+from .system import System
+
+
+def pressed(model: Model, axial: Array, deflection: Array, lateral: System) -> System:
+    """A lateral system of the model's tubes under the normal force of a state.
+
+    axial, deflection: unknowns of the model's two problems; of the latter friction depends.
+    """
+    return under(lateral, pressing(model, axial, deflection, lateral))
+
+
+def under(lateral: System, force: Array) -> System:
+    """A lateral system under normal forces (N) at the points where they work on the slope."""
+    law = compression(force)
+    return lateral.replaced(replace(p, reaction=law) if p.compressed else p for p in lateral.points)
+
+
+def pressing(model: Model, axial: Array, deflection: Array, lateral: System) -> Array:
+    """Normal force where it works on the slope of a lateral system, (points,), N: that of all
+    tubes that deflect there as one."""
+    field, ends = lateral.field, axial_ends(model, axial, deflection)
+    points = next(p for p in lateral.points if p.compressed)
+    element = field.elements(points.x, points.tube)
+    interval = field.strings.interval[element]
+    total = np.zeros(len(points.x))
+    for tube, carrier in enumerate(field.strings.carrier):
+        there = np.flatnonzero(carrier[interval] == element)
+        total[there] += tube_force(model, ends, points.x[there], tube)
+    return total
+
+
+def rubbed(model: Model, deflection: Array, axial: System) -> System:
+    """An axial system of the model's tubes with the friction that a state of deflection allows."""
+
+    def renewed(points: Points) -> Points:
+        law = points.friction
+        if law is None:
+            return points
+        return replace(points, reaction=reaction(law.pressed(apart(model, deflection, points))))
+
+    return axial.replaced(map(renewed, axial.points))
+
+
+def rubs(system: System) -> bool:
+    """Whether tubes rub against each other in an axial system."""
+    return any(p.friction for p in system.points)

@@ -1,0 +1,35 @@
+"""States on one mesh as they are on a finer one."""
+
+import numpy as np
+
+from ..arrays import Array
+from ..beam.field import Field
+from ..model.results import product
+
+
+def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
+    """The same states in the elements of a finer field of at least the same degree.
+
+    q: shape (states, unknowns of the coarse field). The fine field's edges hold those of the coarse
+    one. Nodal values are taken over, internal ones fitted to what is left, which is exact.
+    """
+    given = np.moveaxis(q.reshape(len(q), -1, components), 2, 1)
+    rows = np.zeros((len(q), components, fine.size))
+    tube = fine.strings.leader
+    for x, node in ((fine.tops, 0), (fine.tops + fine.lengths, -fine.nodal)):
+        rows[..., fine.dofs[:, node]] = product(given, coarse.interpolation(x, 0, tube))
+        if fine.nodal == 2:
+            turned = product(given, coarse.rotation(x, tube))
+            rows[..., fine.dofs[:, node + 1]] = fine.slope_length * turned
+    inner = slice(fine.nodal, fine.local - fine.nodal)
+    if fine.local > 2 * fine.nodal:
+        elements, count = fine.dofs.shape
+        share = (np.arange(count) + 0.5) / count
+        x, of = (fine.tops[:, None] + fine.lengths[:, None] * share).ravel(), np.repeat(tube, count)
+        matrix = fine.interpolation(x, 0, of)
+        left = product(given, coarse.interpolation(x, 0, of)) - product(rows, matrix)
+        functions = matrix.data.reshape(elements, count, count)[..., inner]
+        fit = np.linalg.pinv(functions)
+        rest = left.reshape(len(q), components, elements, count)
+        rows[..., fine.dofs[:, inner]] = np.einsum("eig,sceg->scei", fit, rest)
+    return np.moveaxis(rows, 1, 2).reshape(len(q), -1)
