@@ -145,7 +145,7 @@ def pushed(case: Case, share: float, steps: int) -> Run:
         states, failure, _ = run(model, factors, limit)
     told = ""
     if failure:
-        none = unestimated(model, len(states))
+        none = unestimated(len(states))
         told = explain(
             Solved(model, tuple(states), (none, none), failure, 1e-3), failure, ("PUSH",)
         )

@@ -158,7 +158,7 @@ def test_a_pile_of_100_m_by_half_a_metre(tmp_path):
         tmp_path,
         f"*GROUNDEPTH\n0\n{linear_curve(1, k, 0.5)}{shaft}*GROUNDPROP\n1 1\n",
         f"0 -100 0.5 0.02 210e9 7850 EI={EI!r} EA={EA!r}",
-        f"*LOAD\nP 1 0 {H!r} 0 {-P!r}\n*ACCURACY\n1e-6\n",
+        f"*LOAD\nP 1 0 {H!r} 0 {-P!r}\n*ACCURACY\n1e-6\n*MODEL, SMALL\n",
     )
     assert found.failure is None
     b, m = (k / (4.0 * EI)) ** 0.25, sqrt(friction / EA)
@@ -188,7 +188,7 @@ def test_a_stub_of_3_m_by_8_m_is_rigid(tmp_path):
     k, length = 8.0 * 100e3 / 0.01, 3.0
     exact = np.array((4.0, -2.0)) * 2e5 / (k * length)
     np.testing.assert_allclose(deflection(found, 0.0, 3.0), exact, rtol=1e-6)
-    assert iterations(found) <= 4
+    assert iterations(found) <= 5
 
 
 @pytest.mark.parametrize("steps", [1, 7])

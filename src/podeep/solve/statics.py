@@ -1,6 +1,6 @@
 """Quasi-static steps of one foundation: each step from the one before, halved where it must be."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -89,9 +89,10 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
             for track in tracks:
                 track.increment = track.tangent = None
         start = replace(axial), replace(lateral)
-        made, _ = advance_both(model, axial, lateral, before, after)
+        made, which = advance_both(model, axial, lateral, before, after)
         if made[-1].outcome.ending is not Ending.CONVERGED:
-            raise NoEquilibrium(stopped(model, start, step, before, after))
+            span = (step, before, after)
+            raise NoEquilibrium(stopped(model, start, (axial, lateral), (made, which), span))
         yield State(
             step,
             after,
@@ -140,32 +141,33 @@ def advance_both(
 
 
 def stopped(
-    model: Model, start: tuple[Track, Track], step: int, before: Array, after: Array
+    model: Model,
+    start: tuple[Track, Track],
+    tried: tuple[Track, Track],
+    made: tuple[Sequence[Advance], Which],
+    span: tuple[int, Array, Array],
 ) -> Failure:
-    """How far a step goes that fails, from the tracks `start`: axial, lateral.
+    """How far a step goes that fails.
 
-    Both problems are under the same factors: the one that comes less far tells what is reached.
+    start, tried: axial and lateral track before the step and after it was tried, which took `made`.
+    span: the step, its factors before and after. Both problems are under the same factors: the one
+    that comes less far tells what is reached.
     """
-    axial, lateral = (replace(track) for track in start)
-    if rubs(model.axial.system):
-        made, which = advance_rubbing(model, lateral, axial, before, after)
-        ending = made[-1].outcome.ending
-        reached, axial, lateral = largest_part(model, *start, before, after)
-    else:
-        which = "axial"
-        one = advance_stretch(axial, before, after)
-        reached, ending = one.reached, one.outcome.ending
+    (axial, lateral), (step, before, after) = tried, span
+    which, last = made[1], made[0][-1]
+    reached, ending = last.reached, last.outcome.ending
+    if which == "axial" and not rubs(model.axial.system):
         factors = before + reached * (after - before)
         one = advance_deflection(model, lateral, axial, before, factors)
         if one.outcome.ending is not Ending.CONVERGED:
             which, ending = "lateral", one.outcome.ending
-            if ending is Ending.YIELDED or model.needs.second_order:
-                part, axial, lateral = largest_part(model, *start, before, factors)
-                reached *= part
-            else:
-                reached *= one.reached
-                axial = replace(start[0])
-                advance_stretch(axial, before, before + reached * (after - before))
+            reached *= one.reached
+            axial = replace(start[0])
+    if rubs(model.axial.system) or (which == "lateral" and not splits(model)):
+        reached, axial, lateral = largest_part(model, *start, before, after)
+    elif which == "lateral":
+        axial = replace(start[0])
+        advance_stretch(axial, before, before + reached * (after - before))
     factors = before + reached * (after - before)
     kept = lateral.problem.system.softening
     energy = lateral.energy + axial.energy
@@ -173,6 +175,15 @@ def stopped(
     return Failure(
         *(step, reached, factors, growth, which, ending, lateral.q, axial.q, energy, kept)
     )
+
+
+def splits(model: Model) -> bool:
+    """Whether parts of a step of the deflection are parts of the whole step.
+
+    They are not where the stretch, which is found first, softens a spudcan or bends the tube.
+    """
+    yields = model.footing is not None and model.footing.surface is not None
+    return not yields and not model.needs.second_order
 
 
 def advance_stretch(axial: Track, before: Array, after: Array) -> Advance:
