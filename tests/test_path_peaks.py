@@ -23,7 +23,7 @@ from podeep.solve.newton import Limits, Scale, largest
 from podeep.solve.path import STRIDE, PathEnd, follow
 from podeep.solve.statics import Failure, State
 from scenes import reference_pile
-from test_robustness import SOFTENING, mechanism, pushed, stub
+from stubs import SOFTENING, mechanism, pushed, stub
 
 LOAD = 16e6
 RISE = ((0.0016, 0.3), (0.0031, 0.5), (0.0057, 0.75), (0.008, 0.9), (0.01, 1.0))  # w/D, t/tmax
