@@ -1,4 +1,4 @@
-"""A stub so stiff that its soil is mobilised all along, in soils that soften."""
+"""A stub 1.5 m across and 12 m long in softening soil, so stiff that all of it is mobilised."""
 
 from dataclasses import replace
 

@@ -278,9 +278,8 @@ def test_the_bordered_matrix_is_solved_where_the_tangent_is_indefinite(component
     n, signs = system.size, set()
     for _ in range(6):
         system.internal(0.05 * rng.standard_normal(n))
-        u, distance, force, modulus, across = system._state
-        modulus = modulus * rng.choice([1.0, -3e3], size=modulus.shape)
-        system._state = u, distance, force, modulus, across
+        modulus = system._state[3]  # turned in place: a law that softens where it is told
+        modulus *= rng.choice([1.0, -3e3], size=modulus.shape)
         lower = system.tangent()
         dense = sum(np.diag(lower[d, : n - d], -d) for d in range(len(lower)))
         dense = dense + np.tril(dense, -1).T
