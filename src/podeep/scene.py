@@ -217,7 +217,8 @@ class Numerics:
     axial_curves: t-z and Q-z act; otherwise supports alone carry the tubes along z. second_order:
     the normal force works on the slope (P-delta). shear: tubes are soft in shear. components:
     lateral deflections that are solved, 1 in a plane or 2. weight: tubes have their own weight.
-    follow_path: statics go on beyond a peak, with loads that fall.
+    follow_path: statics go on beyond a peak, with loads that fall. active_length: below it elements
+    are as few as the stretch allows.
     """
 
     accuracy: float = 1e-3
@@ -227,6 +228,7 @@ class Numerics:
     second_order: bool | None = None
     shear: bool = False
     weight: bool = False
+    active_length: bool = False
     components: Literal[1, 2] | None = None
     follow_path: bool = False
 

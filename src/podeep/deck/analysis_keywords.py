@@ -117,6 +117,16 @@ MODEL = Keyword(
                     default=False,
                 ),
                 Column(
+                    "LENGTH",
+                    "ACTIVE: below the active length, where a deflection has faded, elements are "
+                    "as few as layers and accuracy allow",
+                    key="length",
+                    kind="word",
+                    choices=("FULL", "ACTIVE"),
+                    named=True,
+                    default="FULL",
+                ),
+                Column(
                     "WEIGHT",
                     "tubes have their own weight, in water below sea level, from step 0 on",
                     key="weight",
@@ -147,7 +157,7 @@ MODEL = Keyword(
     "*MODEL, PDELTA, SHEAR=ON, ELEMENTS=40, ORDER=5",
     once=True,
     optioned=True,
-    planned=("LARGE", "LENGTH", "HYSTERESIS"),
+    planned=("LARGE", "HYSTERESIS"),
 )
 
 SEA = Keyword(

@@ -241,6 +241,8 @@ def _model(given: Sorted, faults: Faults) -> dict[str, Any]:
     """What *MODEL forces."""
     values = given.line("MODEL")
     forced = _arguments(given, "MODEL")
+    if "length" in forced:
+        forced["active_length"] = forced.pop("length") == "ACTIVE"
     for first, second, name, choices in _CHOICES:
         one, other = (bool(forced.pop(word.lower(), False)) for word in (first, second))
         if one and other and values is not None:

@@ -91,14 +91,13 @@ def bent_lengths(stretch: Stretch, profile: Profile) -> Array:
         return np.asarray((4.0 * stiffness / modulus) ** 0.25)
 
 
-def characteristic_lengths(stretch: Stretch, profile: Profile) -> Array:
-    """The lesser length at evenly spread points of a stretch, (samples,), m; inf without soil."""
+def stretched_lengths(stretch: Stretch, profile: Profile) -> Array:
+    """(EA / k)^(1/2) at evenly spread points of a stretch, (samples,), m; inf without soil."""
     x, width = _samples(stretch)
     modulus = _modulus(profile.shaft(x, width), width)
     with np.errstate(divide="ignore"):
         stiffness = stretch.total(lambda section: section.axial_stiffness)
-        stretched = (stiffness / modulus) ** 0.5
-    return np.minimum(bent_lengths(stretch, profile), stretched)
+        return np.asarray((stiffness / modulus) ** 0.5)
 
 
 def _samples(stretch: Stretch) -> tuple[Array, Array]:
@@ -113,14 +112,34 @@ def _modulus(reaction: Reaction, width: Array) -> Array:
     return np.asarray(np.maximum(reaction.evaluate(probe)[0] / probe, 0.0))
 
 
-def densities(pieces: Sequence[Stretch], profile: Profile) -> list[Array]:
-    """Elements per metre, up to a common factor, at the samples of each stretch."""
+def active_length(pieces: Sequence[Stretch], profile: Profile, fade: float) -> float:
+    """Depth below which a deflection has faded to a share of what it was at the mudline, m.
+
+    It fades as exp(-x) over characteristic lengths.
+    """
+    gone = 0.0
+    for piece in pieces:
+        if piece.embedded:
+            step = piece.length / _SAMPLES
+            far = gone + step * np.cumsum(1.0 / bent_lengths(piece, profile))
+            if far[-1] > -np.log(fade):
+                return piece.top + step * (1 + int(np.searchsorted(far, -np.log(fade))))
+            gone = float(far[-1])
+    return pieces[-1].bottom
+
+
+def densities(pieces: Sequence[Stretch], profile: Profile, active: float) -> list[Array]:
+    """Elements per metre, up to a common factor, at the samples of each stretch.
+
+    active: depth below which the deflection asks for none, m.
+    """
     travelled, found = 0.0, []
     for piece in pieces:
         if not piece.embedded:
             found.append(np.zeros(_SAMPLES))
             continue
-        density = 1.0 / characteristic_lengths(piece, profile)
+        bent = np.where(_samples(piece)[0] < active, 1.0 / bent_lengths(piece, profile), 0.0)
+        density = np.maximum(bent, 1.0 / stretched_lengths(piece, profile))
         step = piece.length / _SAMPLES
         gone = travelled + step * (np.cumsum(density) - 0.5 * density)
         travelled += step * float(density.sum())
@@ -138,14 +157,19 @@ def divide(piece: Stretch, density: Array, count: int) -> Array:
 
 
 def edges(
-    pieces: Sequence[Stretch], profile: Profile, size: float, elements: int | None = None
+    pieces: Sequence[Stretch],
+    profile: Profile,
+    size: float,
+    elements: int | None = None,
+    active: float = np.inf,
 ) -> Array:
     """Element boundaries, rising, m.
 
     size: length of an element in characteristic lengths. `elements`, when given, is the number of
-    elements of the whole tube instead; each stretch has at least one.
+    elements of the whole tube instead; each stretch has at least one. active: depth below which the
+    deflection asks for no elements, m.
     """
-    density = densities(pieces, profile)
+    density = densities(pieces, profile, active)
     amount = np.array([d.mean() * p.length for d, p in zip(density, pieces, strict=True)])
     counts = np.maximum(np.ceil(amount / size - 1e-9), 1.0).astype(int)
     if elements is not None:

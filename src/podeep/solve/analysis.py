@@ -9,8 +9,8 @@ from ..arrays import Array
 from ..errors import Fault, UserError
 from ..model.assemble import Model, assemble, cut
 from ..model.effects import PDELTA, check_shear, on_normal_force
-from ..model.mesh import edges
-from ..model.needs import needs
+from ..model.mesh import active_length, edges
+from ..model.needs import Decision, needs
 from ..model.results import Results
 from ..scene import Foundation, Scene
 from ..soil.profile import profile_of
@@ -22,6 +22,7 @@ from .statics import Failure, NoEquilibrium, State, steps
 
 DEGREE = 5  # of the deflection in an element, unless the scene says otherwise
 _SIZE = {3: 0.2, 5: 0.4, 7: 0.8}  # first element length, in characteristic lengths
+_FADED = 0.1  # of the accuracy: share of the deflection at the mudline below the active length
 _PATIENCE = 5  # rounds without a better mesh
 _ROUNDS = 15  # of refinement
 _MOST_ELEMENTS = 2000  # of a tube after refinement
@@ -189,13 +190,24 @@ def first_model(scene: Scene, foundation: Foundation) -> Model:
     degree = scene.numerics.degree or DEGREE
     profile = profile_of(scene, foundation)
     pieces = cut(scene, foundation, profile)
-    boundaries = edges(pieces, profile, _SIZE[degree], scene.numerics.elements)
-    wanted = needs(scene, foundation)
+    wanted, active = needs(scene, foundation), np.inf
+    if scene.numerics.active_length:
+        active = active_length(pieces, profile, _FADED * scene.numerics.accuracy)
+        wanted = wanted.told(length_decision(active, pieces[-1].bottom, scene.numerics.accuracy))
+    boundaries = edges(pieces, profile, _SIZE[degree], scene.numerics.elements, active)
     check_shear(scene.numerics, foundation.name, pieces)
     check_path(scene, foundation)
     model = assemble(scene, foundation, wanted, profile, pieces, boundaries, degree)
     check_restraint(model)
     return model
+
+
+def length_decision(active: float, tip: float, accuracy: float) -> Decision:
+    """The active length in words."""
+    if active >= tip:
+        return Decision("full length", "the deflection reaches the tip (*MODEL LENGTH=ACTIVE)")
+    faded = f"{_FADED * accuracy:.0e} of that at the mudline"
+    return Decision(f"active length {active:.3g} m of {tip:.3g} m", f"below it, less than {faded}")
 
 
 def check_path(scene: Scene, foundation: Foundation) -> None:
