@@ -1,7 +1,7 @@
 """Every static case and sample as a deck with its oracle, for the table of accuracies.
 
 Deviations are those of a solved deck's database from what the case is named after; `asked` is the
-case's own bar. The leg pile of a jacket has no oracle.
+case's own bar. The leg pile of a jacket and the casings of a well have no oracle.
 """
 
 from collections.abc import Callable
@@ -13,6 +13,7 @@ import test_lpile_piles as lpile
 import test_pisa_piles as pisa
 import test_second_order as column
 import test_shear as shear
+from casing_cases import CASING_CASES
 from closed_forms import CASES, ClosedForm, Profile
 from podeep.database.read import Database
 from static_cases import STATIC_CASES, Deviation, Deviations, StaticCase, heads, rows
@@ -118,6 +119,7 @@ def opensees(database: Database) -> Deviations:
 
 
 SAMPLE_ORACLES: dict[str, Callable[[Database], Deviations]] = {
+    "combined_casings": lambda database: [],
     "jacket_pile": lambda database: [],
     "oc3_monopile": oc3,
     "opensees_pile": opensees,
@@ -140,7 +142,7 @@ def every() -> dict[str, StaticCase | Path]:
         for load in column.HEADS:
             found[f"CF13 N {row['N_over_Ncr']:g} {load}"] = beam_column(row, load)
     found |= {f"CF15 {load}": soft_in_shear(load) for load in shear.LOADS}
-    found |= STATIC_CASES
+    found |= STATIC_CASES | CASING_CASES
     found |= {f"PR02 {n}": micropile(n) for n in lpile.MICROPILES}
     found |= {f"PR03 {m:g}": abutment(m) for m in lpile.MULTIPLIERS}
     found |= {f"PR13 {n}": monopile(n) for n in pisa.PILES}

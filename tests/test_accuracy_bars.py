@@ -16,6 +16,7 @@ NAMES = (
     *("CF01 point load", "CF04 Zmax 4 B", "CF05 H100kN_free", "CF06 floating_Kb0"),
     *("CF08 backbone", "CF09 elastic-plastic e 2.5", "CF13 N 0.3 moment", "CF15 H"),
     *("CF28 rigid", "CF28 flexible", "PR02 fixed head", "PR03 0.9", "PR13 D2", "jacket_pile"),
+    *("CF32 sliding H N", "CF32 cemented V", "combined_casings"),
 )
 
 
