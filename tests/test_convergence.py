@@ -5,7 +5,8 @@ import pytest
 
 from podeep.arrays import Array
 from podeep.beam.field import Field
-from podeep.model.assemble import assemble, cut, quadrature
+from podeep.model.around import quadrature
+from podeep.model.assemble import assemble, cut
 from podeep.model.needs import Needs
 from podeep.model.points import Points
 from podeep.model.system import System

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from podeep.beam.field import Field
-from podeep.model.assemble import quadrature
+from podeep.model.around import quadrature
 from podeep.model.points import Points
 from podeep.model.recover import Spread, end_forces, internal_forces
 from podeep.model.system import System

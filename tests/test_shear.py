@@ -63,7 +63,7 @@ def test_profiles_of_cf15(tmp_path, case):
 def test_observed_order_of_the_head():
     """Deflections of degree 5: order 6 of the head, that of the moment's balance."""
     import test_moment_springs as springs
-    from podeep.model.assemble import quadrature
+    from podeep.model.around import quadrature
     from podeep.model.points import Points
     from podeep.model.system import System
     from podeep.solve.newton import Limits, newton

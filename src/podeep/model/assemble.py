@@ -5,23 +5,20 @@ own narrow band and its own convex energy.
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
 
 import numpy as np
 
-from ..arrays import Array, Index
+from ..arrays import Array
 from ..beam.field import Field, Motion
-from ..beam.shapes import gauss_points
 from ..beam.strings import summed
 from ..errors import Fault, UserError
 from ..scene import Foundation, Scene
 from ..soil.profile import Profile
 from ..soil.reaction import Reaction
+from .around import Contact, Reactions, Soil, contacts, heavy, quadrature, turning
 from .compression import compression
-from .contact import Friction, Gap
-from .contact import reaction as touching
 from .footing import Footing, footing
 from .holds import Collector
 from .mesh import Stretch, stretches
@@ -29,13 +26,7 @@ from .needs import Decision, Needs
 from .points import Points
 from .system import System
 from .weave import Parts, Touch, bound, lateral_links, parts, ties, touches, weave
-from .weight import Weights, unit_weight
-
-#: How the soil acts: along each element, at its Gauss points, or as springs at its two ends, each
-#: with half of the element's length.
-Reactions = Literal["integrated", "lumped"]
-# A spring stands just inside its element, in whose layer its curve lies.
-_ENDS = (np.array([-1.0, 1.0]) * (1.0 - 1e-9), np.ones(2))
+from .weight import Weights
 
 
 @dataclass(frozen=True)
@@ -143,83 +134,6 @@ def tubes_as_one(foundation: Foundation, found: Sequence[Touch]) -> Iterator[Dec
         yield Decision(f"{names} deflect as one", "no room and no friction between them")
 
 
-@dataclass(frozen=True)
-class Soil:
-    """The soil around a mesh: intervals below the mudline, and the tubes that it acts on."""
-
-    profile: Profile
-    parts: Parts
-    wet: Index
-    reactions: Reactions
-
-    def places(self, boundaries: Array, count: int) -> tuple[Array, Array, Array, Index]:
-        """Depths, weights, diameters and numbers of the tubes where the soil acts.
-
-        An edge may stand off the mudline by a millimetre.
-        """
-        rule = gauss_points(count) if self.reactions == "integrated" else _ENDS
-        x, weight = _spread(boundaries, self.wet, rule)
-        width = np.repeat(self.parts.width[self.wet], len(rule[0]))
-        tube = np.repeat(self.parts.outermost[self.wet], len(rule[0]))
-        return np.maximum(x, 0.0), weight, width, tube
-
-    @property
-    def tip(self) -> tuple[float, int]:
-        """Diameter and number of the tube that reaches deepest."""
-        return float(self.parts.width[-1]), int(self.parts.outermost[-1])
-
-
-@dataclass(frozen=True)
-class Contact:
-    """Two tubes in contact over some intervals, and the touch of each interval."""
-
-    intervals: Index
-    touches: tuple[Touch, ...]
-
-    @property
-    def friction(self) -> float:
-        return self.touches[0].contact.friction
-
-    def points(self, boundaries: Array, count: int, *, along: bool) -> Points:
-        """Where they press against each other or, along them, rub."""
-        x, weight = quadrature(boundaries, self.intervals, count)
-        one = self.touches[0]
-        room, hard = (
-            np.repeat([getattr(t, name) for t in self.touches], count)
-            for name in ("clearance", "stiffness")
-        )
-        gap = Gap(hard, room, one.contact.tolerance)
-        law: Gap | Friction = gap
-        if along:
-            law = Friction(self.friction, gap, one.contact.threshold, np.zeros(len(x)))
-        return Points(x, weight, touching(law), tube=one.inner, against=one.outer)
-
-
-def contacts(found: Sequence[Touch], piece: Index) -> list[Contact]:
-    """Contacts of tubes that do not deflect as one, by their pairs."""
-    pairs: dict[tuple[int, int], dict[int, Touch]] = {}
-    for touch in found:
-        if not bound(touch):
-            pairs.setdefault((touch.outer, touch.inner), {})[touch.piece] = touch
-    made = []
-    for by_piece in pairs.values():
-        intervals = np.flatnonzero(np.isin(piece, list(by_piece)))
-        made.append(Contact(intervals, tuple(by_piece[i] for i in piece[intervals].tolist())))
-    return made
-
-
-def quadrature(boundaries: Array, intervals: Index, count: int) -> tuple[Array, Array]:
-    """Depths and weights (m) of the Gauss points of some intervals, shape (intervals * count,)."""
-    return _spread(boundaries, intervals, gauss_points(count))
-
-
-def _spread(boundaries: Array, intervals: Index, rule: tuple[Array, Array]) -> tuple[Array, Array]:
-    xi, weight = rule
-    half = 0.5 * np.diff(boundaries)[intervals, None]
-    x = boundaries[intervals, None] + half * (xi + 1.0)
-    return x.ravel(), (half * weight).ravel()
-
-
 def lateral_problem(
     scene: Scene,
     foundation: Foundation,
@@ -259,37 +173,6 @@ def lateral_problem(
     collect = Collector(scene, foundation, under, needs, field)
     system = System(field, needs.components, points, *collect.holds())
     return Problem(system, *collect.loads())
-
-
-def turning(profile: Profile, lateral: Points, width: Array) -> list[Points]:
-    """Moments against rotation at the points of p-y: those of their own, those that follow p."""
-    whole = profile.moment(lateral.x, width)
-    own = whole.part(lambda law: not law.follows_lateral)
-    following = whole.part(lambda law: law.follows_lateral)
-    both = (
-        replace(lateral, reaction=own, motion="rotation"),
-        replace(lateral, reaction=following, motion="rotation", follows=0),
-    )
-    return [points for points in both if points.reaction.laws]
-
-
-def heavy(
-    scene: Scene, foundation: Foundation, pieces: Sequence[Stretch], field: Field
-) -> Iterator[Weights]:
-    """The weight of each tube along it, down the stretch."""
-    middle = 0.5 * (field.edges[:-1] + field.edges[1:])
-    piece = np.searchsorted([p.bottom for p in pieces], middle)
-    count = field.degree + 1
-    for tube, carrier in enumerate(field.strings.carrier):
-        there = np.flatnonzero(carrier >= 0)
-        x, share = quadrature(field.edges, there, count)
-        weights = [
-            unit_weight(section, scene.sea, submerged=x_ > foundation.mudline)
-            for x_, i in zip(middle[there], piece[there].tolist(), strict=True)
-            for section in pieces[i].sections[tube : tube + 1]
-            if section is not None
-        ]
-        yield Weights(x, share, np.repeat(weights, count), tube)
 
 
 def axial_problem(

@@ -19,7 +19,8 @@ import numpy as np
 from ..arrays import Array
 from ..errors import Fault, UserError
 from ..scene import Numerics
-from .assemble import Model, quadrature
+from .around import quadrature
+from .assemble import Model
 from .mesh import Stretch
 from .needs import Decision
 from .results import Results

@@ -3,7 +3,8 @@
 from dataclasses import dataclass, replace
 from itertools import takewhile
 
-from ..model.assemble import Model, Reactions, assemble
+from ..model.around import Reactions
+from ..model.assemble import Model, assemble
 from ..model.mesh import edges
 from ..scene import Numerics, Scene
 from ..solve.newton import Method
