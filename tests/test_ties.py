@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from decks import solved
+from podeep.cli.solve import main
 from podeep.deck.read import Deck, read_deck
 from podeep.errors import UserError
 
@@ -152,3 +153,15 @@ def test_the_database_of_combined_casings(tmp_path):
         for igr in (2, 3)
     ]
     assert sum(below_the_head) == pytest.approx(200e3, rel=1e-6)
+
+
+def test_curves_are_those_of_the_outermost_tube_at_the_depth(tmp_path, capsys):
+    path = tmp_path / "case.deck"
+    path.write_text(BASE.format(ties="", extra=""), encoding="utf-8")
+    capacities = []
+    for depth in ("39", "45", "54"):
+        assert main(["curves", str(path), "--depth", depth, "--at", "10", "--csv"]) == 0
+        rows = [row.split(",") for row in capsys.readouterr().out.splitlines()]
+        capacities.append(float(next(row[2] for row in rows if row[0] == "py")))
+    diameters = np.array([0.762, 0.508, 0.244])
+    assert capacities == pytest.approx(9.0 * 40e3 * diameters, rel=1e-6)  # 9 su D at depth

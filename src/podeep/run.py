@@ -186,8 +186,7 @@ def curves_at(
     Raises UserError for a depth that the tube does not reach.
     """
     mudline = foundation.mudline
-    tube = scene.tubes[foundation.tubes[0]]
-    length = mudline - tube.tip
+    length = mudline - scene.tip(foundation)
     if not 0.0 <= depth <= length + _NEAR:
         raise UserError(
             Fault(
@@ -196,6 +195,8 @@ def curves_at(
             )
         )
     depth = min(depth, length)
-    section = next(s for s in tube.sections if mudline - depth >= s.bottom - 1e-9)
+    elevation = mudline - depth
+    sections = (s for igr in foundation.tubes for s in scene.tubes[igr].sections)
+    section = next(s for s in sections if s.top + _NEAR >= elevation >= s.bottom - 1e-9)
     profile = profile_of(scene, foundation)
     return soil_curves(profile, depth, section.outer_diameter, displacement)
