@@ -50,7 +50,7 @@ KINDS = {
     "too large": ("1 -58 2.2e6", "1 -58 2.2e999", "2.2e999", "FX is 2.2e999, too large a number"),
     "unknown IDRE": ("3 2 3 2", "3 2 3 2 1e8 4", "4", "IDRE is 4, but must be one of 0, 1, 2, 3"),
     "short tube": ("*FONDATION\n1 1", "*FONDATION\n1 1 -120", "1", "tube 1 ends at -110 m, not"),
-    "two tubes": ("*FONDATION\n1 1", "*FONDATION\n1 1 2", "2", "foundation 1 has 2 tubes"),
+    "no such tube": ("*FONDATION\n1 1", "*FONDATION\n1 1 2", "2", "there is no tube 2"),
     "held and moved": ("1 -58 RZ", "1 -60 Y", "Y", "Y of tube 1 at -60 m is held"),
     "lost include": ("*LOAD", "*INCLUDE, file=no.inc\n*LOAD", "no.inc", "no such file"),
     "indented": ("*ACCURACY", " *ACCURACY", "*ACCURACY", "*ACCURACY is indented"),

@@ -67,7 +67,8 @@ CASING = Keyword(
             ),
         ),
     ),
-    "*CASING\n1 PILE\n-58 -75  2.134 0.070 210e9 7850\n-75 -110 2.134 0.045 210e9 7850 EI=50e9",
+    "*CASING\n1 PILE\n-58 -75  2.134 0.070 210e9 7850\n-75 -110 2.134 0.045 210e9 7850 EI=50e9\n"
+    "*CASING\n2 INSERT\n-58 -100 1.6 0.04 210e9 7850",
     "A tube may stand above the mudline. RHO and MASS give its weight, for capacities; NU and GAS "
     "its stiffness in shear, for *MODEL, SHEAR=ON; CA and FILL are kept for dynamics.",
     required=True,
@@ -133,7 +134,7 @@ SLAVE = Keyword(
             ),
         ),
     ),
-    "*SLAVE\n1 2 CEMENTED -70 -100\n2 3 ENDS",
+    "*SLAVE\n1 2 CEMENTED -70 -100\n1 2 ENDS",
     "Tied are displacements, rotations and stretch. Where nothing ties two tubes, *TYPCONTACT says "
     "how one slides in the other.",
 )
