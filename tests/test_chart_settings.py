@@ -127,7 +127,7 @@ def test_the_line_search_saves_unloading_and_secants_are_slow():
         last[method], spent[method] = states[-1], sum(s.iterations for s in states)
     assert last["line search"].step_size == last["secant"].step_size == 1.0
     assert last["full steps"].step_size < 0.1
-    assert spent["line search"] < 30 < 2 * spent["line search"] < spent["secant"]
+    assert spent["line search"] < 30 < spent["secant"]
     assert spent["full steps"] > 10 * spent["line search"]
 
 

@@ -12,7 +12,7 @@ import xarray
 import builders
 from podeep.database.schema import KINDS, QUANTITIES, VARIABLES, places, variables
 
-UNITS = {"m", "N m-1", "1", "N", "N m", "rad", "s", "axis", ""}
+UNITS = {"m", "N m-1", "1", "N", "N m", "Pa", "rad", "s", "axis", ""}
 ENGINES = ("h5netcdf", "netcdf4")
 
 

@@ -193,7 +193,8 @@ def test_19_yield_surface_of_a_spudcan(solver, t):
     on_spudcan(
         solver,
         f"{r['B']!r} {embed!r} 40e6 0.5 {QV!r} SOIL={r['soil'].upper()} {strength}",
-        f"*LOAD\nALL 1 0 {H!r} 0 {-V!r} 0 {M - 3.0 * H!r} 0\n",  # at the head, 3 m up
+        f"*LOAD\nALL 1 0 {H!r} 0 {-V!r} 0 {M - 3.0 * H!r} 0\n"  # at the head, 3 m up
+        "*MODEL, SMALL\n",
     )
     words = " ".join(solver("stiffness").split())
     numbers = [float(x) for x in re.findall(r"(?:Q[VHM]|, a) (\S+)", words)]
