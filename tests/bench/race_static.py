@@ -39,8 +39,7 @@ from our_pile import (
     whole_of,
 )
 
-from podeep.solve.accuracy import estimate
-from podeep.solve.analysis import rebuilt
+from podeep.solve.analysis import estimated
 
 #: Components of the deflection, dimensions of OpenSees, and the errors asked.
 RACES = ((1, 2, (1.5e-4, 3e-5)), (2, 3, (1.5e-4,)))
@@ -101,8 +100,8 @@ def shares(rounds: int) -> None:
     """What 1e-6 takes over 1e-4, and what the estimate of the error adds."""
     loose, tight = fastest(1, 1e-4, rounds), fastest(1, 1e-6, rounds)
     scene, model = scene_of(loose), model_of(loose)
-    richer, states = rebuilt(scene, model, model.edges, 1), states_of(loose)
-    bodies = (steps_of(loose), steps_of(tight), lambda: estimate(model, richer, states, 1e-4))
+    states = states_of(loose)
+    bodies = (steps_of(loose), steps_of(tight), lambda: estimated(scene, model, states, None))
     first, second, third, whole = in_turns((*bodies, whole_of(loose)), rounds)
     print(f"\nwithin 1e-4: {loose.name}, {1e3 * first:.2f} ms")
     print(f"within 1e-6: {tight.name}, {1e3 * second:.2f} ms, {second / first:.2f} times as long")

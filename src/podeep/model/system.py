@@ -139,6 +139,11 @@ class System:
             (storage, kinds * count),
         )
 
+    @cached_property
+    def length(self) -> float:
+        """Of the tubes, from the highest top to the lowest tip, m."""
+        return float(np.ptp(self.field.edges))
+
     def replaced(self, points: Iterable[Points]) -> "System":
         """The same system with other reactions at its points."""
         other = copy(self)

@@ -42,6 +42,13 @@ class Track:
     scale: Scale = NO_SCALE
     halvings: int = HALVINGS
 
+    def copy(self) -> "Track":
+        """A track of its own from here on."""
+        return Track(
+            *(self.problem, self.limits, self.q, self.internal, self.increment, self.tangent),
+            *(self.straight, self.energy, self.scale, self.halvings),
+        )
+
     def advance(self, before: Array, after: Array) -> Advance:
         """Go from factors `before` to `after`, or as far as there is equilibrium."""
         work = Work()

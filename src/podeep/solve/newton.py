@@ -16,6 +16,7 @@ _CUT = 0.5  # a step is accepted when the slope of the energy fell to this share
 _SEARCHES = 40
 _GROWTH = 4.0  # of a step too short, after which the energy still falls as steeply
 _AWAY = 1e4  # lengths of the tube: one that moved so far, still out of balance, is not held
+_PATIENCE = 6  # iterations before it is asked whether the tube runs away
 _REST = 1e-6  # share of the run's largest force and unknown below which a state is at rest
 STILL = 0.1  # of the limit of the residual: share of the unknowns that a step of rounding moves
 ROUNDING_CAP = 1e-3  # rounding may excuse a residual up to this share of the forces, never more
@@ -108,7 +109,6 @@ def newton(
     solve = system.solve_by_secants if limits.method == "secant" else system.solve
     go = whole_step if limits.method == "full steps" else search
     least = max(largest(load), _REST * scale.force)
-    length = float(np.ptp(system.field.edges))
     q = before = start
     internal, residual = evaluate(q)
     ending = Ending.EXHAUSTED
@@ -123,7 +123,7 @@ def newton(
             break
         if remaining == 0:
             break
-        if largest(q) > _AWAY * length:
+        if work.iterations >= _PATIENCE and largest(q) > _AWAY * system.length:
             ending = Ending.MECHANISM
             break
         step = solve(residual)
@@ -133,7 +133,7 @@ def newton(
             break
         if (
             unmoved(system, q, step, (worst, size), limits, scale)
-            and largest(q) <= length
+            and largest(q) <= system.length
             and worst <= ROUNDING_CAP * max(least, system.total_reaction())
         ):
             ending = Ending.CONVERGED

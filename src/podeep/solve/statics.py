@@ -88,7 +88,7 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
         if not alike[step - 1]:
             for track in tracks:
                 track.increment = track.tangent = None
-        start = replace(axial), replace(lateral)
+        start = axial.copy(), lateral.copy()
         made, which = advance_both(model, axial, lateral, before, after)
         if made[-1].outcome.ending is not Ending.CONVERGED:
             span = (step, before, after)
