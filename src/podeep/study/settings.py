@@ -70,11 +70,17 @@ class Plan:
 
 
 def plan(model: Model, *, quick: bool) -> Plan:
-    """The settings that suit the scene of a model (whose mesh does not matter)."""
+    """The settings that suit the scene of a model (whose mesh does not matter).
+
+    Where tubes touch, iterations without a search, or along secants, go on and on: they are no
+    settings there.
+    """
     growth = _QUICK_GROWTH if quick else _GROWTH
+    touching = any(p.against is not None for p in model.lateral.system.points)
     settings = [
         Setting(series, elements)
         for series in _SERIES
+        if not (touching and series.method != "line search")
         if not series.spatial or (model.needs.components == 1 and model.lateral.forces.any())
         for elements in counts(len(model.pieces), growth, series.reactions == "lumped")
     ]
