@@ -132,7 +132,8 @@ def newton(
             ending = Ending.MECHANISM
             break
         if (
-            unmoved(system, q, step, (worst, size), limits, scale)
+            worst <= ROUNDING_CAP * size
+            and unmoved(system, q, step, (worst, size), limits, scale)
             and largest(q) <= system.length
             and worst <= ROUNDING_CAP * max(least, system.total_reaction())
         ):
@@ -207,7 +208,7 @@ def search(
     """
     low, high, g_low, g_high, s = 0.0, np.inf, slope, 0.0, 1.0
     for _ in range(_SEARCHES):
-        trial = q + s * step
+        trial = q + (step if s == 1.0 else s * step)
         internal, residual = evaluate(trial)
         g = blas.ddot(step, residual)
         if abs(g) <= _CUT * slope:

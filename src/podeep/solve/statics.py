@@ -110,6 +110,8 @@ def steps(model: Model, factors: Array, limits: Limits) -> Iterator[State]:
 
 def at_rest(axial: Track, factors: Array, lateral: Array) -> State:
     """The state before loading; raises NoEquilibrium where the tubes do not bear their weight."""
+    if not axial.problem.weights:
+        return State(0, factors, lateral, axial.q, 0, 0, 0.0, 1.0, 0.0)
     made = axial.advance(factors, factors)
     ending = made.outcome.ending
     if ending is not Ending.CONVERGED:
