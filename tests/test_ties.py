@@ -165,3 +165,13 @@ def test_curves_are_those_of_the_outermost_tube_at_the_depth(tmp_path, capsys):
         capacities.append(float(next(row[2] for row in rows if row[0] == "py")))
     diameters = np.array([0.762, 0.508, 0.244])
     assert capacities == pytest.approx(9.0 * 40e3 * diameters, rel=1e-6)  # 9 su D at depth
+
+
+def test_a_spudcan_stands_under_the_deepest_tube(tmp_path, capsys):
+    path = tmp_path / "case.deck"
+    for igr, code in (("1", 2), ("3", 0)):
+        can = f"*SPUDCAN\n{igr} 4 0 40e6 0.5\n"
+        path.write_text(BASE.format(ties="", extra=can), encoding="utf-8")
+        assert main(["run", str(path), "-o", str(tmp_path), "--force"]) == code
+    told = capsys.readouterr().err
+    assert "the spudcan stands under tube 1, but another tube reaches deeper" in told

@@ -117,6 +117,14 @@ def assemble(
     stretch = Field(boundaries, stretching, degree - 1, 0, woven=stretched)
 
     spudcan = scene.spudcan(foundation)
+    if spudcan and scene.tubes[spudcan.tube].tip > scene.tip(foundation):
+        raise UserError(
+            Fault(
+                f"{foundation.name}: the spudcan stands under tube {spudcan.tube}, but another "
+                "tube reaches deeper",
+                "put it under the tube that reaches deepest",
+            )
+        )
     under = footing(spudcan, foundation.tubes.index(spudcan.tube)) if spudcan else None
     soil = Soil(profile, owned, np.flatnonzero(middle > 0.0), reactions)
     meeting = contacts(found, piece)
