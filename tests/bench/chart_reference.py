@@ -6,6 +6,9 @@ Writes docs/images/reference_pile_race.png and .csv: error against CPU time of t
 series of meshes of both programs, planar and spatial.
 """
 
+import one_thread  # noqa: F401, I001  # before numpy
+
+
 import argparse
 import csv
 import io

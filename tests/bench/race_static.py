@@ -10,6 +10,9 @@ elements of degree 3, 5 and 7, and up to three more, that are within it, as two 
 is that of medians.
 """
 
+import one_thread  # noqa: F401, I001  # before numpy
+
+
 import argparse
 import statistics
 from collections.abc import Iterator
