@@ -102,28 +102,26 @@ def test_faults_of_ties(tmp_path, ties, told):
         assert words in text
 
 
-def test_a_tube_that_nothing_holds_along_z(tmp_path):
-    text = BASE.replace("-97 -150 0.508", "-97 -130 0.508").replace("1 1 2 3", "1 1 2")
-    text = text.replace("3 INNER", "3 IDLE").format(ties="*TYPCONTACT\n1 2 2", extra="")
+LOOSE = {"-97 -150 0.508": "-97 -130 0.508", "1 1 2 3": "1 1 2"}
+
+
+@pytest.mark.parametrize(
+    ("changes", "ties", "told"),
+    [
+        (LOOSE, "*TYPCONTACT\n1 2 2", "nothing holds it along z"),
+        ({"-96 -155 0.244": "-151 -155 0.244"}, "", "leave a gap from -150 to -151 m"),
+        ({"1 1 2 3": "1 1 2 2"}, "", "tube 2 already stands in foundation 1"),
+    ],
+    ids=["loose", "gap", "twice"],
+)
+def test_faults_of_the_tubes_of_a_foundation(tmp_path, changes, ties, told):
+    text = BASE
+    for old, new in changes.items():
+        assert old in text
+        text = text.replace(old, new)
     path = tmp_path / "case.deck"
-    path.write_text(text, encoding="utf-8")
-    with pytest.raises(UserError, match="nothing holds it along z"):
-        read_deck(path)
-
-
-def test_tubes_of_a_foundation_leave_no_gap(tmp_path):
-    text = BASE.replace("-96 -155 0.244", "-151 -155 0.244").format(ties="", extra="")
-    path = tmp_path / "case.deck"
-    path.write_text(text, encoding="utf-8")
-    with pytest.raises(UserError, match="leave a gap from -150 to -151 m"):
-        read_deck(path)
-
-
-def test_a_tube_stands_once(tmp_path):
-    text = BASE.replace("1 1 2 3", "1 1 2 2").format(ties="", extra="")
-    path = tmp_path / "case.deck"
-    path.write_text(text, encoding="utf-8")
-    with pytest.raises(UserError, match="tube 2 already stands in foundation 1"):
+    path.write_text(text.format(ties=ties, extra=""), encoding="utf-8")
+    with pytest.raises(UserError, match=told):
         read_deck(path)
 
 
