@@ -173,3 +173,12 @@ def test_a_spudcan_stands_under_the_deepest_tube(tmp_path, capsys):
         assert main(["run", str(path), "-o", str(tmp_path), "--force"]) == code
     told = capsys.readouterr().err
     assert "the spudcan stands under tube 1, but another tube reaches deeper" in told
+
+
+def test_tubes_that_do_not_fit_have_no_room_by_their_diameters(tmp_path, capsys):
+    path = tmp_path / "case.deck"
+    ties = "*SLAVE\n1 2 ENDS\n2 3 CEMENTED\n*TYPCONTACT\n1 2 2 GAP=-1"
+    text = BASE.replace("0.762 0.0254", "0.52 0.0254").format(ties=ties, extra="")
+    path.write_text(text, encoding="utf-8")
+    assert main(["run", str(path), "-o", str(tmp_path)]) == 2
+    assert "tube 2 of 0.508 m does not fit into tube 1, 0.4692 m inside" in capsys.readouterr().err

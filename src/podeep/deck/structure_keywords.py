@@ -193,10 +193,9 @@ TYPCONTACT = Keyword(
                 ),
                 Column(
                     "GAP",
-                    "room between the tubes on either side; -1: what their diameters leave",
+                    "room between the tubes on either side; negative: what their diameters leave",
                     "m",
-                    Bounds(-1.0),
-                    "clearance",
+                    key="clearance",
                     named=True,
                     default=0.0,
                 ),

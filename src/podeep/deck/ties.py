@@ -15,7 +15,6 @@ from .scan import Paragraph
 from .structure import ReadTube
 
 _TOLERANCE = 1e-4  # penetration over which a contact takes hold, m
-_FROM_DIAMETERS = -1.0  # GAP that leaves the room between tubes to their diameters
 
 
 @dataclass(slots=True)
@@ -144,7 +143,7 @@ def _sliding(values: Values, outer: int, inner: int, shared: Mapping[str, float]
         outer,
         inner,
         stiffness * cells["DENSITY"] if stiffness else None,
-        None if gap == _FROM_DIAMETERS else gap,
+        None if gap < 0.0 else gap,
         shared.get("tolerance", _TOLERANCE),
         cells["MU2"],
         cells["XSEUIL2"],

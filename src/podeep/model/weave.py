@@ -11,6 +11,7 @@ import numpy as np
 
 from ..arrays import Array, Index
 from ..beam.strings import Strings, woven
+from ..errors import Fault, UserError
 from ..scene import Foundation, Scene, Section, Sliding
 from .mesh import TOUCH, Stretch
 
@@ -70,7 +71,10 @@ def ties(scene: Scene, foundation: Foundation) -> list[Link]:
 
 
 def touches(scene: Scene, foundation: Foundation, pieces: Sequence[Stretch]) -> list[Touch]:
-    """Contacts of tubes that slide in each other, stretch by stretch."""
+    """Contacts of tubes that slide in each other, stretch by stretch.
+
+    Raises UserError where diameters shall tell the room between tubes that leave none.
+    """
     number = {tube: i for i, tube in enumerate(foundation.tubes)}
     tied = ties(scene, foundation)
     found = []
@@ -82,9 +86,18 @@ def touches(scene: Scene, foundation: Foundation, pieces: Sequence[Stretch]) -> 
             around, inside = piece.sections[outer], piece.sections[inner]
             if around is None or inside is None:
                 continue
-            if _groups(piece, tied)[inner] == _groups(piece, tied)[outer]:
+            groups = _groups(piece, tied)
+            if groups[inner] == groups[outer]:
                 continue
             room = 0.5 * (around.inner_diameter - inside.outer_diameter)
+            if contact.clearance is None and room < 0.0:
+                raise UserError(
+                    Fault(
+                        f"{foundation.name}: tube {contact.inner} of {inside.outer_diameter:g} m "
+                        f"does not fit into tube {contact.outer}, {around.inner_diameter:g} m inside",
+                        "give its own GAP= in *TYPCONTACT, or tubes that fit",
+                    )
+                )
             clearance = room if contact.clearance is None else contact.clearance
             softer = min(around.bending_stiffness, inside.bending_stiffness)
             rigid = 4.0 * softer / (_ENDS * inside.outer_diameter) ** 4
