@@ -94,7 +94,8 @@ def touches(scene: Scene, foundation: Foundation, pieces: Sequence[Stretch]) -> 
                 raise UserError(
                     Fault(
                         f"{foundation.name}: tube {contact.inner} of {inside.outer_diameter:g} m "
-                        f"does not fit into tube {contact.outer}, {around.inner_diameter:g} m inside",
+                        f"does not fit into tube {contact.outer}, {around.inner_diameter:g} m "
+                        "inside",
                         "give its own GAP= in *TYPCONTACT, or tubes that fit",
                     )
                 )
