@@ -6,21 +6,19 @@ other as they deflect rub as they stretch.
 
 from dataclasses import replace
 
-import numpy as np
-
 from ..arrays import Array
 from .assemble import Model
 from .compression import compression
 from .contact import reaction
 from .points import Points
-from .results import apart, axial_ends, tube_force
+from .results import apart, axial_ends, joint_force
 from .system import System
 
 
 def pressed(model: Model, axial: Array, deflection: Array, lateral: System) -> System:
     """A lateral system of the model's tubes under the normal force of a state.
 
-    axial, deflection: unknowns of the model's two problems; of the latter friction depends.
+    axial, deflection: unknowns of the model's two problems; friction depends on the latter.
     """
     return under(lateral, pressing(model, axial, deflection, lateral))
 
@@ -34,15 +32,9 @@ def under(lateral: System, force: Array) -> System:
 def pressing(model: Model, axial: Array, deflection: Array, lateral: System) -> Array:
     """Normal force where it works on the slope of a lateral system, (points,), N: that of all
     tubes that deflect there as one."""
-    field, ends = lateral.field, axial_ends(model, axial, deflection)
     points = next(p for p in lateral.points if p.compressed)
-    element = field.elements(points.x, points.tube)
-    interval = field.strings.interval[element]
-    total = np.zeros(len(points.x))
-    for tube, carrier in enumerate(field.strings.carrier):
-        there = np.flatnonzero(carrier[interval] == element)
-        total[there] += tube_force(model, ends, points.x[there], tube)
-    return total
+    ends = axial_ends(model, axial, deflection)
+    return joint_force(model, ends, lateral.field, points.x, points.tube)
 
 
 def rubbed(model: Model, deflection: Array, axial: System) -> System:

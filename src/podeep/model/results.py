@@ -79,6 +79,22 @@ def tube_force(model: Model, ends: EndForces, x: Array, tube: int) -> Array:
     return np.asarray(share * internal_forces(ends, x, tube)[0])
 
 
+def joint_force(
+    model: Model, ends: EndForces, lateral: Field, x: Array, tube: Index | int
+) -> Array:
+    """Normal force of all tubes that deflect with one (at each x), shape (..., len(x)), N.
+
+    lateral: the deflection, whose mesh need not be that of the model.
+    """
+    element = lateral.elements(x, tube)
+    interval = lateral.strings.interval[element]
+    total = np.zeros((*ends.force.shape[:-1], len(x)))
+    for other, carrier in enumerate(lateral.strings.carrier):
+        there = np.flatnonzero(carrier[interval] == element)
+        total[..., there] += tube_force(model, ends, x[there], other)
+    return total
+
+
 @dataclass(frozen=True)
 class Results:
     """States of one model: unknowns of its two problems, shape (steps, unknowns)."""
@@ -230,12 +246,7 @@ class Results:
     def _pressed(self, x: Array, tube: Index | int) -> Array:
         """Normal force of all tubes that deflect with one (at each x), (steps, len(x)), N."""
         field = self.model.lateral.system.field
-        element = field.elements(x, tube)
-        total = np.zeros((len(self.axial), len(x)))
-        for other, carrier in enumerate(field.strings.carrier):
-            there = np.flatnonzero(carrier[field.strings.interval[element]] == element)
-            total[:, there] += self.compression(x[there], other)
-        return total
+        return joint_force(self.model, self._axial_ends, field, x, tube)
 
     def global_vector(self, components: Array) -> tuple[Array, Array]:
         """x and y parts of a lateral quantity given by component, shape (steps, n) each."""

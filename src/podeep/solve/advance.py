@@ -49,6 +49,12 @@ class Track:
             *(self.straight, self.energy, self.scale, self.halvings),
         )
 
+    def take(self, other: "Track") -> None:
+        """Go where another track of the same problem is."""
+        self.problem, self.q, self.internal = other.problem, other.q, other.internal
+        self.increment, self.tangent, self.straight = other.increment, other.tangent, other.straight
+        self.energy, self.scale = other.energy, other.scale
+
     def advance(self, before: Array, after: Array) -> Advance:
         """Go from factors `before` to `after`, or as far as there is equilibrium."""
         work = Work()

@@ -160,10 +160,6 @@ class _Judge:
         self.peak = 0.0
         self.moved = 0.0
 
-    def risen(self, point: Point) -> bool:
-        """Whether the loads of the step are passed."""
-        return point.factor > self.most
-
     def end(self, point: Point) -> PathEnd | None:
         """Why the path ends here, if it does."""
         loaded, forces = self.loaded, self.loaded.load_growth

@@ -19,8 +19,7 @@ from ..model.assemble import Problem
 from ..model.contact import Gap
 from ..model.contact import reaction as contact
 from ..model.points import Points
-from ..model.results import Results, product
-from ..model.system import secant
+from ..model.results import Results, product, reacted
 from ..soil.reaction import Reaction
 
 REST = 1e-6  # share of the run's largest value below which a step is at rest
@@ -178,11 +177,7 @@ def _resistance(problem: Problem, states: Array, points: Points) -> Array:
     components = problem.system.components
     unknowns = np.moveaxis(states.reshape(len(states), -1, components), 2, 1)
     u = product(unknowns, points.matrix(problem.system.field))
-    if components == 1:
-        return np.asarray(points.reaction.evaluate(u[:, 0])[0][:, None])
-    distance = np.linalg.norm(u, axis=1)
-    force, modulus = points.reaction.evaluate(distance)
-    return np.asarray(secant(force, distance, modulus)[:, None] * u)
+    return reacted(u, points.reaction)
 
 
 def finer(parts: Sequence[Unresolved], poor: Sequence[Flags]) -> Array:

@@ -39,14 +39,14 @@ def advance_rubbing(
             system = pressed(model, stretch, bend, bent.problem.system)
             bent.problem = replace(bent.problem, system=system)
         made.append(bent.advance(before, after))
-        _take(lateral, bent)
+        lateral.take(bent)
         bend = bent.q
         if made[-1].outcome.ending is not Ending.CONVERGED:
             return made, "lateral"
         system = rubbed(model, bent.q, pulled.problem.system)
         pulled.problem = replace(pulled.problem, system=system)
         made.append(pulled.advance(before, after))
-        _take(axial, pulled)
+        axial.take(pulled)
         if made[-1].outcome.ending is not Ending.CONVERGED:
             return made, "axial"
         change, stretch = np.array(pulled.q - stretch), pulled.q
@@ -55,9 +55,3 @@ def advance_rubbing(
     last = made[-1]
     made[-1] = replace(last, outcome=replace(last.outcome, ending=Ending.EXHAUSTED))
     return made, "axial"
-
-
-def _take(track: Track, trial: Track) -> None:
-    """Put a track where another one is."""
-    for name in ("problem", "q", "internal", "increment", "energy", "scale"):
-        setattr(track, name, getattr(trial, name))

@@ -80,15 +80,5 @@ def advance_yielding(
         yielded = replace(made.outcome, ending=Ending.YIELDED)
         return Advance(yielded, 0.0, made.smallest, trials.work)
     if made.outcome.ending is Ending.CONVERGED:
-        for name in (
-            "problem",
-            "q",
-            "internal",
-            "increment",
-            "tangent",
-            "straight",
-            "energy",
-            "scale",
-        ):
-            setattr(track, name, getattr(trial, name))
+        track.take(trial)
     return Advance(made.outcome, made.reached, made.smallest, trials.work)
