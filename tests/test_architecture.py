@@ -9,7 +9,7 @@ SOURCE = Path(__file__).parents[1] / "src" / "podeep"
 
 #: Every module, lowest first: a file imports only from files above it in this list.
 ORDER = """
-__init__ arrays errors files units tubes scene
+__init__ arrays errors files units tubes motion scene
 soil.__init__ soil.group
 deck.__init__ deck.faults deck.scan deck.column deck.curve_columns deck.ground_keywords
 deck.py_keyword deck.tz_keyword deck.structure_keywords deck.action_keywords deck.analysis_keywords

@@ -10,6 +10,14 @@ from types import MappingProxyType
 from typing import Literal
 
 from .errors import InvalidData
+from .motion import CoupledSpring as CoupledSpring
+from .motion import Damping as Damping
+from .motion import Dynamics as Dynamics
+from .motion import Harmonic as Harmonic
+from .motion import Hysteresis as Hysteresis
+from .motion import Mass as Mass
+from .motion import Start as Start
+from .motion import TimeSeries as TimeSeries
 from .tubes import Section as Section
 from .tubes import Sliding as Sliding
 from .tubes import Tie as Tie
@@ -46,7 +54,8 @@ class Ground:
 
     A depth given twice is a jump; curve id 0 is no reaction. `friction_stiffness` is the slope
     of unit friction against displacement, Pa/m. `dynamic_rule` is the original's IDRE. `layering`
-    is by equivalent depth, with the overburden of the layer's own soil or the actual one.
+    is by equivalent depth, with the overburden of the layer's own soil or the actual one. dashpots:
+    radiation of p-y curves by their id, N s/m2 per metre of width.
     """
 
     depths: tuple[float, ...]
@@ -59,6 +68,7 @@ class Ground:
     interpolation: Interpolation = "PARAMETERS"
     layering: Layering = "NONE"
     layering_overburden: Overburden = "OWN"
+    dashpots: Mapping[int, float] = field(default_factory=lambda: MappingProxyType({}))
 
     def __post_init__(self) -> None:
         if not self.depths or self.depths[0] != 0.0:
@@ -218,7 +228,7 @@ class Numerics:
     the normal force works on the slope (P-delta). shear: tubes are soft in shear. components:
     lateral deflections that are solved, 1 in a plane or 2. weight: tubes have their own weight.
     follow_path: statics go on beyond a peak, with loads that fall. active_length: below it elements
-    are as few as the stretch allows.
+    are as few as the stretch allows. hysteresis: what the soil remembers of its motion.
     """
 
     accuracy: float = 1e-3
@@ -231,6 +241,7 @@ class Numerics:
     active_length: bool = False
     components: Literal[1, 2] | None = None
     follow_path: bool = False
+    hysteresis: Hysteresis = "ELASTIC"
 
 
 @dataclass(frozen=True, slots=True)
@@ -260,6 +271,13 @@ class Scene:
     sea: Sea = Sea()
     ties: tuple[Tie, ...] = ()
     slidings: tuple[Sliding, ...] = ()
+    masses: tuple[Mass, ...] = ()
+    coupled_springs: tuple[CoupledSpring, ...] = ()
+    starts: tuple[Start, ...] = ()
+    harmonics: tuple[Harmonic, ...] = ()
+    series: tuple[TimeSeries, ...] = ()
+    damping: Damping | None = None
+    dynamics: Dynamics | None = None
 
     def spudcan(self, foundation: Foundation) -> Spudcan | None:
         """The spudcan under a foundation, if it has one."""
@@ -277,5 +295,8 @@ class Scene:
             *((s.tube, s.elevation) for s in self.springs),
             *((load.tube, load.elevation) for load in self.loads),
             *((d.tube, d.elevation) for d in self.displacements),
+            *((m.tube, min(m.elevation, self.tubes[m.tube].top)) for m in self.masses),
+            *((k.tube, k.elevation) for k in self.coupled_springs),
+            *((s.tube, s.elevation) for s in self.starts),
         )
         return tuple(sorted({elevation for tube, elevation in places if tube in foundation.tubes}))
