@@ -28,6 +28,7 @@ model.recover model.results model.coupling model.effects model.grid
 solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.statics solve.loaded
 solve.bordered solve.continuation solve.path solve.together solve.prolong solve.across solve.refine
 solve.accuracy solve.analysis solve.diagnosis
+solve.equations solve.stage solve.integrators
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read
 demand embedded capacity
