@@ -24,6 +24,7 @@ soil.spudcan_yield
 beam.__init__ beam.shapes beam.strings beam.field beam.band
 model.__init__ model.needs model.mesh model.weave model.compression model.contact model.points
 model.system model.many model.footing model.holds model.weight model.around model.assemble
+model.inertia
 model.recover model.results model.coupling model.effects model.grid
 solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.statics solve.loaded
 solve.bordered solve.continuation solve.path solve.together solve.prolong solve.across solve.refine

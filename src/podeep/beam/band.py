@@ -2,6 +2,7 @@
 
 import numpy as np
 from scipy import sparse
+from scipy.linalg import blas
 
 from ..arrays import Array, Index
 
@@ -38,6 +39,36 @@ def bandwidth(dofs: Index) -> int:
 def scatter(place: Index, values: Array, size: int) -> Array:
     """Sum values at their places in a flat storage of the given size."""
     return np.bincount(place.ravel(), values.ravel(), size).astype(np.float64, copy=False)
+
+
+def element_band(dofs: Index, matrices: Array, width: int, shape: tuple[int, int]) -> Array:
+    """Symmetric matrices of elements, summed to one as flat band storage of a given width.
+
+    dofs: shape (elements, local). matrices: (elements, local, local). shape: how many unknowns
+    there are, and how many components they interleave: each has the same matrices.
+    """
+    unknowns, components = shape
+    i, j, rows, columns = pairs(dofs)
+    entries, size = matrices[:, i, j], width * unknowns * components
+    total = np.zeros(size)
+    for c in range(components):
+        place = band_place(rows * components + c, columns * components + c, width)
+        total += scatter(place, entries, size)
+    return total
+
+
+def band_times(band: Array, x: Array) -> Array:
+    """Product of a symmetric matrix and a vector; band: its lower one, shape (width, n)."""
+    return np.asarray(blas.dsbmv(band.shape[0] - 1, 1.0, band, x, lower=1))
+
+
+def without(band: Array, dofs: Index) -> Array:
+    """A symmetric matrix whose rows and columns of some unknowns are zero, (width, n)."""
+    width, n = band.shape
+    left = np.ones(n + width - 1)
+    left[dofs] = 0.0
+    rows = np.arange(width)[:, None] + np.arange(n)
+    return np.asfortranarray(band * left[rows] * left[:n])
 
 
 def scatter_matrix(

@@ -261,6 +261,27 @@ class Field:
         stiffness = np.concatenate([amounts.ravel() for _, amounts in self.strain_blocks])
         return sparse.csr_array(sparse.vstack(matrices)), stiffness
 
+    def mass(self, amount: Array, rotary: Array | None = None) -> Array:
+        """Consistent mass matrices of the elements, (elements, local, local), kg.
+
+        amount: mass per length of each element, kg/m. rotary: what resists the rotation of the
+        section, per length of each element, kg m; None is nothing. Exact for the field's
+        polynomials, in its scaling.
+        """
+        xi, weight = gauss_points(self.degree + 1)
+        count, points = len(self.lengths), len(xi)
+        element, places = np.repeat(np.arange(count), points), np.tile(xi, count)
+        half = 0.5 * self.lengths
+        values = shape_functions(places, self.continuity, self.degree)
+        parts = [(amount * half, values)]
+        if rotary is not None:
+            parts.append((rotary / half, self._turned(places, element, 0)))
+        total = np.zeros((count, self.local, self.local))
+        for factor, motion in parts:
+            one = self.mixed(motion, element).reshape(count, points, self.local)
+            total += factor[:, None, None] * (np.swapaxes(one * weight[:, None], 1, 2) @ one)
+        return np.asarray(total * self.scale[:, :, None] * self.scale[:, None, :])
+
     def top_forces(self, q: Array) -> Array:
         """Forces at the unknowns of each element's top node, (..., elements, nodal).
 

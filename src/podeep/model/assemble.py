@@ -89,7 +89,8 @@ def cut(scene: Scene, foundation: Foundation, profile: Profile) -> tuple[Stretch
     """The foundation's stretches of uniform sections and soil layer."""
     tubes = [scene.tubes[tube] for tube in foundation.tubes]
     depths = [foundation.mudline - elevation for elevation in scene.marks(foundation)]
-    depths += [foundation.mudline] if scene.numerics.weight else []  # sea level
+    water = any(s.added_mass_coefficient for tube in tubes for s in tube.sections)
+    depths += [foundation.mudline] if scene.numerics.weight or water else []  # sea level
     return stretches(tubes, foundation.mudline, profile, depths)
 
 

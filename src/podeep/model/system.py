@@ -18,7 +18,7 @@ from scipy import sparse
 from scipy.linalg import lapack
 
 from ..arrays import Array, Index
-from ..beam.band import add_product, band_place, bandwidth, pairs, scatter, scatter_matrix
+from ..beam.band import add_product, band_place, bandwidth, element_band, scatter_matrix
 from ..beam.field import Field
 from ..soil.reaction import Reaction
 from .points import Points, Spring, stacked
@@ -80,12 +80,8 @@ class System:
         free = np.ones(self.size, dtype=bool)
         free[self.held] = False
 
-        i, j, rows, columns = pairs(field.dofs)
-        entries = field.element_stiffness[:, i, j]
-        linear = np.zeros(storage)
-        for c in range(m):
-            place = band_place(rows * m + c, columns * m + c, self.width)
-            linear += scatter(place, entries, storage)
+        shape = (field.size, m)
+        linear = element_band(field.dofs, field.element_stiffness, self.width, shape)
         for spring in springs:
             linear[spring.dof * self.width] += spring.stiffness
         self.diagonal = linear[:: self.width].copy()
