@@ -62,6 +62,16 @@ def band_times(band: Array, x: Array) -> Array:
     return np.asarray(blas.dsbmv(band.shape[0] - 1, 1.0, band, x, lower=1))
 
 
+def dense(band: Array) -> Array:
+    """The whole of a symmetric matrix, (n, n), from its lower band, (width, n)."""
+    width, n = band.shape
+    whole = np.zeros((n, n))
+    for d in range(min(width, n)):
+        at = np.arange(n - d)
+        whole[at + d, at] = whole[at, at + d] = band[d, : n - d]
+    return whole
+
+
 def without(band: Array, dofs: Index) -> Array:
     """A symmetric matrix whose rows and columns of some unknowns are zero, (width, n)."""
     width, n = band.shape

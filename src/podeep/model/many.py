@@ -35,7 +35,7 @@ def solve_many(system: System, moduli: Array, right: Array) -> Array | None:
     States one after the other have a band as narrow as that of one.
     """
     steps, size = right.shape
-    bands = (system._spread @ moduli.reshape(steps, -1).T).T + system._linear
+    bands = (system._spread @ moduli.reshape(steps, -1).T).T + system.linear
     band = bands.reshape(steps * size, system.width).T
     _, x, info = lapack.dpbsv(band, right.ravel(), lower=1, overwrite_ab=1)
     return x.reshape(right.shape) if info == 0 else None

@@ -11,6 +11,7 @@ import itertools
 from collections.abc import Iterable, Sequence
 from copy import copy
 from functools import cached_property
+from typing import Protocol, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -18,7 +19,7 @@ from scipy import sparse
 from scipy.linalg import lapack
 
 from ..arrays import Array, Index
-from ..beam.band import add_product, band_place, bandwidth, element_band, scatter_matrix
+from ..beam.band import add_product, band_place, bandwidth, element_band, scatter_matrix, without
 from ..beam.field import Field
 from ..soil.reaction import Reaction
 from .points import Points, Spring, stacked
@@ -30,6 +31,17 @@ _STEEP = 100.0  # times these secants from which the tangent at rest counts as i
 NOTHING = 1e-30  # least distance of two components, m: there the secant is the tangent
 _SHARE = 1e-4  # of the secant: least modulus where a tangent has to be made positive definite
 _DENSE = 40_000  # entries below which a dense product beats a sparse one (call overhead)
+
+
+#: Of points at a state: their motion, its size, force and modulus along it, and p / r across it.
+Reached: TypeAlias = tuple[Array, Array, Array, Array, Array | None]
+
+
+class Evaluated(Protocol):
+    """A reaction at points, as it is evaluated."""
+
+    def evaluate(self, u: Array) -> tuple[Array, Array]:
+        """Force and its derivative at motions u."""
 
 
 class System:
@@ -64,6 +76,7 @@ class System:
         self._capacity_moduli = np.concatenate([np.zeros(0), *moduli])
         self.softening = 1.0
         self._at: Array | None = None
+        self.reached: Reached
         self._sprung, self._springs = bool(springs), np.zeros(self.size)
         np.add.at(self._springs, [s.dof for s in springs], [s.stiffness for s in springs])
         soft = [s for s in springs if s.softens]
@@ -89,7 +102,7 @@ class System:
         linear *= keep
         held_place = np.asarray(self.held) * self.width
         linear[held_place] = 1.0
-        self._linear = linear
+        self.linear = linear
         self._spread = self._spreading(points, keep, storage)
 
     def _kept(self, free: npt.NDArray[np.bool_]) -> Array:
@@ -154,7 +167,7 @@ class System:
 
     def stable(self) -> bool:
         """Whether the tangent at the last `internal` is positive definite."""
-        modulus = self._state[3]
+        modulus = self.reached[3]
         return self._solve(modulus, np.zeros(self.size)) is not None
 
     def outer_forces(self, q: Array, load: Array) -> Array:
@@ -170,10 +183,29 @@ class System:
         change[self.held] = 0.0
         other.softening, other._springs = factor, self._springs + change
         other._at = None
-        other._linear = self._linear.copy()
-        other._linear[:: self.width] += change
+        other.linear = self.linear.copy()
+        other.linear[:: self.width] += change
         other.diagonal = self.diagonal + change
         return other
+
+    def stiffened(self, more: Array, reaction: Evaluated | None = None) -> "System":
+        """The same system whose tangent, not whose forces, has a matrix more.
+
+        more: lower band, shape (width, size). reaction: of all points, in place of their own.
+        """
+        other = copy(self)
+        other.linear = self.linear + without(more, self.held).ravel(order="F")
+        other._at = None
+        if reaction is not None:
+            other.__dict__["_together"] = reaction
+        return other
+
+    def spread(self, modulus: Array) -> Array:
+        """Lower band, (width, size), of what moduli at the points, alike all around, add up to."""
+        moduli = modulus if self.components == 1 else self._vector_moduli(modulus, modulus)
+        band = np.zeros(self.width * self.size)
+        add_product(self._spread, moduli, band)
+        return band.reshape((self.width, self.size), order="F")
 
     def displacement(self, q: Array) -> Array:
         """The field at the Gauss points, shape (points, components)."""
@@ -188,7 +220,7 @@ class System:
         return np.asarray(np.where(np.isfinite(bound), bound / _FAR, last))
 
     @cached_property
-    def _together(self) -> Reaction | None:
+    def _together(self) -> Evaluated | None:
         """All reactions as one; None where one follows another or changes with the step."""
         if any(p.compressed or p.follows is not None for p in self.points):
             return None
@@ -196,7 +228,7 @@ class System:
 
     def total_reaction(self) -> float:
         """Magnitudes of the reaction at the last `internal`, added up, N (N m of rotations)."""
-        return float(self.weight @ np.abs(self._state[2]))
+        return float(self.weight @ np.abs(self.reached[2]))
 
     def react(self, u: Array) -> tuple[Array, Array]:
         """Reaction and modulus at signed displacements or distances u, shape (..., points).
@@ -232,7 +264,7 @@ class System:
             force, modulus = self.react(distance)
             across = force / distance
             seen[:count] *= across[:, None]
-        self._at, self._state = q, (u, distance, force, modulus, across)
+        self._at, self.reached = q, (u, distance, force, modulus, across)
         inner: Array = self._balance.dot(seen).ravel()
         if self._sprung:
             inner += self._springs * q
@@ -247,7 +279,7 @@ class System:
         that has to close): the energy still falls along the answer, and the residual that decides
         on equilibrium stays the exact one.
         """
-        _, distance, force, modulus, _ = self._state
+        _, distance, force, modulus, _ = self.reached
         x = self._solve(modulus, right)
         if x is None:
             some = _SHARE * np.abs(secant(force, distance, modulus))
@@ -260,7 +292,7 @@ class System:
 
     def solve_by_secants(self, right: Array) -> Array | None:
         """Solve with the secant moduli at the last `internal`; None for a mechanism."""
-        _, distance, force, modulus, _ = self._state
+        _, distance, force, modulus, _ = self.reached
         secants = secant(force, distance, modulus)
         return self._solve(secants, right, across=secants)
 
@@ -306,17 +338,17 @@ class System:
         """Lower band of the matrix with these moduli, shape (width, size), Fortran order."""
         if self.components == 2:
             modulus = self._vector_moduli(modulus, across)
-        band = self._linear.copy()
+        band = self.linear.copy()
         add_product(self._spread, modulus, band)
         return band.reshape((self.width, self.size), order="F")
 
     def tangent(self) -> Array:
         """Lower band of the exact tangent at the last `internal`, held unknowns apart from it."""
-        return self._band(self._state[3])
+        return self._band(self.reached[3])
 
     def tangent_times(self, move: Array) -> Array:
         """What the last `internal` grows by along a small move of all unknowns, held ones too."""
-        modulus, count = self._state[3], self._count
+        modulus, count = self.reached[3], self._count
         if self.components == 1:
             seen = self._observe @ move
             seen[:count] *= modulus
@@ -332,7 +364,7 @@ class System:
         """xx, yy and xy moduli, one after the other, of a reaction along the displacement."""
         if across is along:
             return np.concatenate([across, across, np.zeros(self._count)])
-        u, distance, _, _, exact = self._state
+        u, distance, _, _, exact = self.reached
         if across is None:
             assert exact is not None
             across = exact
