@@ -55,13 +55,22 @@ class Profile:
     vary linearly and the law is evaluated at the true depth; otherwise loads vary linearly.
 
     embedded_length: of the tube, m, for the laws that depend on it. axial: whether t-z and Q-z
-    curves react. Raises UserError where a curve cannot be evaluated, naming it and the remedy.
+    curves react. dynamic: in motion, for which user rows of p-y may have a curve of their own; by
+    the ground's rule 2 it is the static one there too, by rule 3 the other one in statics too.
+    Where a curve has no other, both are one: t-z and Q-z never have.
+    Raises UserError where a curve cannot be evaluated, naming it and the remedy.
     """
 
     def __init__(
-        self, ground: Ground, embedded_length: float | None = None, axial: bool = True
+        self,
+        ground: Ground,
+        embedded_length: float | None = None,
+        axial: bool = True,
+        dynamic: bool = False,
     ) -> None:
         self.ground, self._axial = ground, axial
+        rule = ground.dynamic_rule
+        self._moving = rule == 3 or (dynamic and rule != 2)
         self._equivalent: EquivalentDepths | None = None
         self._layers = Layers(ground.depths)
         self.boundaries = self._layers.boundaries
@@ -71,6 +80,7 @@ class Profile:
                 "t-z": tuple(ground.axial_curves[i] if i else None for i in ground.axial),
             }
         )
+        self._dashpots = self._layers.spread([ground.dashpots.get(i, 0.0) for i in ground.lateral])
         around = Surroundings(ground, self._layers, self._curves, embedded_length)
         self._around, self._length = around, embedded_length
         if ground.layering == "GEORGIADIS":
@@ -108,14 +118,19 @@ class Profile:
         """Q-z of tips, one or (n,); N. At a boundary a tip rests in the layer above."""
         return self._reaction(TIP, np.atleast_1d(depth), np.atleast_1d(diameter))
 
+    def dashpot(self, depth: Array, diameter: Array) -> Array:
+        """Radiation damping along a tube, depth and diameter (n,); N s/m2.
+
+        Linear between the depths of the ground, 0 for curves without a dashpot.
+        """
+        return np.multiply(self._dashpots.at(_below(depth)), diameter)
+
     def effective_overburden(self, depth: Array, family: Family = "p-y") -> Array:
         """s'v (Pa) at each depth, as `Surroundings.effective_overburden`."""
         return self._around.effective_overburden(np.asarray(depth, dtype=float), family)
 
     def _reaction(self, kind: Kind, depth: Array, diameter: Array) -> Reaction:
-        depth, diameter = np.asarray(depth, dtype=float), np.asarray(diameter, dtype=float)
-        if (depth < 0.0).any():
-            raise ValueError("a soil reaction is asked for above the mudline")
+        depth, diameter = _below(depth), np.asarray(diameter, dtype=float)
         laws = {curve.law for curve in self._curves[kind.family] if curve}
         silent = kind.family == "t-z" and not self._axial
         if silent or (kind.columns is None and laws.isdisjoint(kind.laws)):
@@ -200,7 +215,7 @@ class Profile:
                 return None
             options: dict[str, Any] = {**curve.options, **parameters}
             return user_law(
-                [row[kind.columns] for row in curve.rows],
+                kind.points(curve.rows, self._moving),
                 kind.width(diameter),
                 diameter if curve.rows_in_diameters else 1.0,
                 options.get("multiplier", 1.0),
@@ -247,16 +262,29 @@ class Profile:
     def _bare(self, depth: Array, diameter: Array) -> Array:
         """Largest |p| without equivalent depths, (n,): for the curves that have none."""
         return (
-            Profile(replace(self.ground, layering="NONE"), self._length)
+            Profile(replace(self.ground, layering="NONE"), self._length, dynamic=self._moving)
             .lateral(depth, diameter)
             .capacity
         )
 
 
-def profile_of(scene: Scene, foundation: Foundation, axial: bool | None = None) -> Profile:
-    """The ground as a foundation's tubes meet it; axial: as the scene says, or forced."""
+def profile_of(
+    scene: Scene, foundation: Foundation, axial: bool | None = None, dynamic: bool = False
+) -> Profile:
+    """The ground as a foundation's tubes meet it, at rest or in motion.
+
+    axial: as the scene says, or forced. dynamic: as for `Profile`.
+    """
     curves = scene.numerics.axial_curves if axial is None else axial
-    return Profile(scene.ground, foundation.mudline - scene.tip(foundation), curves)
+    return Profile(scene.ground, foundation.mudline - scene.tip(foundation), curves, dynamic)
+
+
+def _below(depth: Array) -> Array:
+    """Depths as numbers; ValueError for one above the mudline, where there is no soil."""
+    depth = np.asarray(depth, dtype=float)
+    if (depth < 0.0).any():
+        raise ValueError("a soil reaction is asked for above the mudline")
+    return depth
 
 
 def _type_of(curve: Curve) -> tuple[object, ...]:
