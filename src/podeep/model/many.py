@@ -7,7 +7,8 @@ import numpy as np
 from scipy.linalg import lapack
 
 from ..arrays import Array
-from .system import NOTHING, System, directed
+from .moduli import NOTHING, directed
+from .system import System
 
 
 def internal_of_many(system: System, states: Array) -> tuple[Array, Array]:

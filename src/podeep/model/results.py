@@ -13,9 +13,9 @@ from ..beam.strings import summed
 from ..scene import Section
 from ..soil.reaction import Reaction
 from .assemble import Model
+from .moduli import secant
 from .points import Points
 from .recover import EndForces, Spread, end_forces, internal_forces
-from .system import secant
 
 
 def axial_ends(model: Model, axial: Array, deflection: Array) -> EndForces:

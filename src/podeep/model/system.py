@@ -22,13 +22,13 @@ from ..arrays import Array, Index
 from ..beam.band import add_product, band_place, bandwidth, element_band, scatter_matrix, without
 from ..beam.field import Field
 from ..soil.reaction import Reaction
+from .moduli import NOTHING, directed, secant
 from .points import Points, Spring, stacked
 
 _FAR = 0.1  # displacement at which any soil is taken to have its capacity, m: for directions alone
 _FURTHEST = 10.0  # displacement at which a contact is surely closed, m
 _FIRST = 1e-3  # displacement whose secants take a state from rest, m
 _STEEP = 100.0  # times these secants from which the tangent at rest counts as infinite
-NOTHING = 1e-30  # least distance of two components, m: there the secant is the tangent
 _SHARE = 1e-4  # of the secant: least modulus where a tangent has to be made positive definite
 _DENSE = 40_000  # entries below which a dense product beats a sparse one (call overhead)
 
@@ -371,32 +371,6 @@ class System:
         return directed(along, across, u, distance).ravel()
 
 
-def directed(along: Array, across: Array, u: Array, distance: Array) -> Array:
-    """xx, yy and xy moduli, shape (..., 3, count), of moduli along displacements and across them.
-
-    along, across, distance: shape (..., count); u: (..., count, 2), of no length 0.
-    """
-    moduli = np.empty((*along.shape[:-1], 3, along.shape[-1]))
-    xx, yy, xy = moduli[..., 0, :], moduli[..., 1, :], moduli[..., 2, :]
-    share = along - across
-    share /= distance
-    share /= distance
-    x, y = u[..., 0], u[..., 1]
-    np.multiply(share, x, out=xx)
-    np.multiply(xx, y, out=xy)
-    xx *= x
-    share *= y
-    np.multiply(share, y, out=yy)
-    xx += across
-    yy += across
-    return moduli
-
-
 def _compact(matrix: sparse.csr_array) -> sparse.csr_array | Array:
     """The matrix as it multiplies fastest."""
     return matrix.toarray() if matrix.shape[0] * matrix.shape[1] <= _DENSE else matrix
-
-
-def secant(force: Array, u: Array, modulus: Array) -> Array:
-    """force / u, with the exact limit at u = 0, where it is the modulus."""
-    return np.divide(force, u, out=modulus.copy(), where=u != 0.0)

@@ -27,13 +27,13 @@ class State:
 
 
 class Equations(Protocol):
-    """Equations of motion of n unknowns.
+    """Equations of motion of n unknowns; feels_velocity: F depends on v."""
 
-    held: unknowns whose motion is given. feels_velocity: F depends on v beyond C v.
-    """
-
-    held: Index
     feels_velocity: bool
+
+    @property
+    def held(self) -> Index:
+        """Unknowns whose motion is given."""
 
     def load(self, time: float) -> Array:
         """P, (n,), N."""

@@ -1,0 +1,120 @@
+"""Foundations in motion, followed step by step from the end of statics."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from enum import Enum
+from itertools import pairwise
+
+import numpy as np
+
+from ..arrays import Array
+from ..scene import Dynamics
+from .body import Body
+from .equations import Equations, State
+from .integrators import (
+    Bathe,
+    CentralDifference,
+    Integrator,
+    Rosenbrock,
+    Weighted,
+    initial,
+)
+from .stage import Effort, NoBalance, Patience
+
+HALVINGS = 12  # of a step without equilibrium
+_ALPHA = -0.05  # of HHT, which stands for the original's damped Newmark
+_RADIUS = 0.8  # of the generalised-alpha method
+_STEADY = 0.9  # of its limit: the step of central differences
+_RUNAWAY = 1e3  # lengths of the tubes from which a foundation is lost
+
+
+class End(Enum):
+    """How a motion ended; the value is what the user reads."""
+
+    COMPLETE = "the whole time was followed"
+    NO_BALANCE = "no equilibrium was found in the smallest part of a step"
+    LOST = "the foundation is lost: it moves further than its tubes are long"
+
+
+def integrator(dynamics: Dynamics) -> Integrator:
+    """The method that a scene asks for."""
+    match dynamics.method:
+        case None | "HHT":
+            return Weighted.hht(_ALPHA)
+        case "NEWMARK":
+            return Weighted(dynamics.gamma, dynamics.beta)
+        case "GALPHA":
+            return Weighted.generalised_alpha(_RADIUS)
+        case "BATHE":
+            return Bathe()
+        case "ROS2":
+            return Rosenbrock()
+        case "CENTRAL":
+            return CentralDifference()
+
+
+@dataclass(slots=True)
+class Motion:
+    """A body on its way: where its deflection and its stretch (None: at rest) are.
+
+    reach: largest unknown that is expected, m; what an iteration may leave is a share of it.
+    """
+
+    body: Body
+    lateral: State
+    axial: State | None
+    reach: float
+    effort: Effort = field(default_factory=Effort)
+    smallest: float = np.inf
+
+    def step(self, method: Integrator, h: float, share: float, iterations: int) -> None:
+        """Go h seconds on, in halves where there is no equilibrium otherwise.
+
+        share: of the reach, what an iteration may leave. Raises NoBalance, at a state before.
+        """
+        end, part = self.lateral.time + h, h
+        while self.lateral.time < end:
+            part = min(part, end - self.lateral.time)
+            if end - self.lateral.time - part < 1e-9 * h:
+                part = end - self.lateral.time
+            try:
+                self._go(method, part, Patience(share * self.reach, iterations))
+            except NoBalance:
+                part *= 0.5
+                if part < h * 2.0**-HALVINGS:
+                    raise
+        self.smallest = min(self.smallest, part)
+
+    def _go(self, method: Integrator, h: float, patience: Patience) -> None:
+        body, axial = self.body, self.axial
+        if body.axial is not None and axial is not None:
+            axial = method.step(body.axial, axial, h, patience, self.effort)
+            if body.squeeze is not None:
+                body.lateral.press(body.squeeze.band(axial.q))
+        lateral = method.step(body.lateral, self.lateral, h, patience, self.effort)
+        self.axial, self.lateral = axial, lateral
+        body.lateral.commit(lateral.q)
+        if body.axial is not None and axial is not None:
+            body.axial.commit(axial.q)
+
+
+def started(body: Body, time: float, reach: float) -> Motion:
+    """A body at rest at the end of statics."""
+    effort = Effort()
+
+    def begun(equations: Equations, q: Array) -> State:
+        return initial(equations, time, q, np.zeros_like(q), effort)
+
+    lateral = begun(body.lateral, body.rest.lateral)
+    axial = None if body.axial is None else begun(body.axial, body.rest.axial)
+    return Motion(body, lateral, axial, reach, effort)
+
+
+def follow(
+    motions: Sequence[Motion], method: Integrator, times: Array, share: float, iterations: int
+) -> Iterator[int]:
+    """Take all motions from time to time; yields how many times are done. Raises NoBalance."""
+    for done, (before, after) in enumerate(pairwise(times.tolist()), start=1):
+        for motion in motions:
+            motion.step(method, after - before, share, iterations)
+        yield done
