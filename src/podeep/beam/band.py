@@ -1,10 +1,18 @@
 """Symmetric matrices in LAPACK's lower band storage, and products that land straight in it."""
 
+from collections.abc import Callable
+from functools import partial
+from typing import TypeAlias
+
 import numpy as np
 from scipy import sparse
 from scipy.linalg import blas
 
 from ..arrays import Array, Index
+
+_DENSE = 120  # unknowns up to which a whole matrix is faster than its band (overhead of a call)
+
+Times: TypeAlias = Callable[[Array], Array]
 
 try:  # a private name of SciPy, which spares a call what its public product spends on checks
     from scipy.sparse._sparsetools import csr_matvec as _csr_matvec
@@ -70,6 +78,15 @@ def dense(band: Array) -> Array:
         at = np.arange(n - d)
         whole[at + d, at] = whole[at, at + d] = band[d, : n - d]
     return whole
+
+
+def times(band: Array) -> Times:
+    """Products of a symmetric matrix, lower band (width, n), with vectors, as fast as they go."""
+    if not band.any():
+        return np.zeros_like
+    if band.shape[1] <= _DENSE:
+        return dense(band).dot
+    return partial(band_times, band)
 
 
 def without(band: Array, dofs: Index) -> Array:

@@ -16,14 +16,14 @@ from ..arrays import Array, Index
 class State:
     """Where the unknowns are, (n,), how fast they move and speed up, at a time, s.
 
-    resisting: C v + F there, as the equations have it.
+    resisting: C v + F there, as the equations have it; None where the method does not ask for it.
     """
 
     time: float
     q: Array
     velocity: Array
     acceleration: Array
-    resisting: Array
+    resisting: Array | None
 
 
 class Equations(Protocol):

@@ -66,16 +66,18 @@ class _Stage:
         inertia_share: float,
         patience: Patience,
         effort: Effort,
+        *,
+        resisting: bool = False,
     ) -> State:
-        """The state in which inertia_share M a + C v + F(q, v) = load."""
+        """The state in which inertia_share M a + C v + F(q, v) = load, with C v + F if asked."""
         start = self.from_start(equations, start)
         equations.weigh(inertia_share * self.inertia, self.rate, self.rate)
         right = load - equations.mass_times(inertia_share * self.pull)
         right -= equations.damping_times(self.drift)
         q = balanced(equations, right, start, self.velocity, patience, effort)
         acceleration = self.inertia * q + self.pull
-        resisting = load - equations.mass_times(inertia_share * acceleration)
-        return State(self.time, q, self.velocity(q), acceleration, resisting)
+        resists = load - equations.mass_times(inertia_share * acceleration) if resisting else None
+        return State(self.time, q, self.velocity(q), acceleration, resists)
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,11 +123,13 @@ class Weighted(Integrator):
         if self.force_lag or self.mass_lag:
             kept = 1.0 - self.force_lag
             share = (1.0 - self.mass_lag) / kept
-            before = self.force_lag * (equations.load(state.time) - state.resisting)
-            before -= self.mass_lag * equations.mass_times(a)
+            before = -self.mass_lag * equations.mass_times(a)
+            if state.resisting is not None:
+                before += self.force_lag * (equations.load(state.time) - state.resisting)
             load = load + before / kept
         stage = _Stage(time, rate, drift, inertia, pull)
-        return stage.end(equations, moved, load, share, patience, effort)
+        lags = self.force_lag != 0.0
+        return stage.end(equations, moved, load, share, patience, effort, resisting=lags)
 
 
 @dataclass(frozen=True, slots=True)
@@ -190,9 +194,7 @@ class Rosenbrock(Integrator):
             equations.keep_tangent(False)
         q = state.q + (0.5 * h) * (3.0 * first[0] + second[0])
         v = state.velocity + (0.5 * h) * (3.0 * first[1] + second[1])
-        acceleration = (v - state.velocity) / h
-        resisting = equations.load(time) - equations.mass_times(acceleration)
-        return State(time, q, v, acceleration, resisting)
+        return State(time, q, v, (v - state.velocity) / h, None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,8 +229,7 @@ class CentralDifference(Integrator):
         velocity = halfway + (0.5 * h) * acceleration
         if len(held):
             velocity[held] = equations.given(time)[1]
-        resisting = equations.load(time) - equations.mass_times(acceleration)
-        return State(time, q, velocity, acceleration, resisting)
+        return State(time, q, velocity, acceleration, None)
 
     def limit(self, equations: Equations) -> float:
         fastest = equations.fastest()

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.linalg import eigh, lapack
 
 from ..arrays import Array, Index
-from ..beam.band import band_times, dense, without
+from ..beam.band import Times, band_times, dense, times, without
 from ..model.assemble import Problem
 from ..model.system import Reached, System
 
@@ -36,6 +36,7 @@ class _Weighed:
     """
 
     band: Array
+    times: Times
     system: System
     free: Array
     pressed: Array | None = None
@@ -66,7 +67,7 @@ class Moving:
         self.mass, self.damping, self.memory = mass, damping, memory
         self.origin, self.base = origin, base
         self._factors = factors
-        self._damped = bool(damping.any())
+        self._mass, self._damping = times(mass), times(damping)
         self._time, self._load = np.nan, np.zeros(self.system.size)
         self._kept: dict[tuple[float, float], _Weighed] = {}
         self._pressed: Array | None = None
@@ -87,10 +88,10 @@ class Moving:
         return value, rate, second
 
     def mass_times(self, x: Array) -> Array:
-        return band_times(self.mass, x)
+        return self._mass(x)
 
     def damping_times(self, x: Array) -> Array:
-        return band_times(self.damping, x) if self._damped else np.zeros(len(x))
+        return self._damping(x)
 
     def press(self, geometric: Array) -> None:
         """Take from the stiffness what the normal force does to slopes, a band as `mass`."""
@@ -104,7 +105,7 @@ class Moving:
                 del self._kept[next(iter(self._kept))]
             band = np.asfortranarray(inertia * self.mass + damping * self.damping)
             system = self.system.stiffened(band, self.memory)
-            one = self._kept[key] = _Weighed(band, system, system.linear)
+            one = self._kept[key] = _Weighed(band, times(band), system, system.linear)
         if one.pressed is not self._pressed:
             assert self._pressed is not None
             one.pressed = self._pressed
@@ -112,13 +113,13 @@ class Moving:
         self._weighed = one
 
     def weighed_times(self, q: Array) -> Array:
-        return band_times(self._weighed.band, q)
+        return self._weighed.times(q)
 
     def internal(self, q: Array, velocity: Array | None) -> Array:
         force = self._weighed.system.internal(q - self.origin)
         force += self.base
         if self._pressed is not None:
-            force -= band_times(self._pressed, q)
+            force -= band_times(self._pressed, q)  # differs from step to step
         return force
 
     def solve(self, right: Array) -> Array | None:
