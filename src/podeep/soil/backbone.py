@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import ClassVar, Protocol, TypeAlias, runtime_checkable
+from typing import ClassVar, TypeAlias
 
 import numpy as np
 
@@ -100,15 +100,6 @@ class Polyline:
         force = stiffness * u
         force += intercept.take(segment)
         return force, stiffness
-
-
-@runtime_checkable
-class Drawn(Protocol):
-    """A law that may be straight lines alone."""
-
-    @property
-    def polyline(self) -> Polyline | None:
-        """Its lines, None where it has others."""
 
 
 class TableLaw(Law):

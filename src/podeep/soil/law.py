@@ -3,9 +3,12 @@
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from ..arrays import Array
+
+if TYPE_CHECKING:
+    from .backbone import Polyline
 
 
 class Law(ABC):
@@ -32,6 +35,11 @@ class Law(ABC):
     @abstractmethod
     def capacity(self) -> Array:
         """Bound of |force| at each point, shape (n,); inf where a law has none."""
+
+    @property
+    def polyline(self) -> "Polyline | None":
+        """The straight lines that the law is; None where it is more."""
+        return None
 
     @property
     def derived(self) -> Mapping[str, Array]:

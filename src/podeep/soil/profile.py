@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 from types import MappingProxyType
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -32,6 +33,8 @@ from .surroundings import WEIGHT, Family, Surroundings
 
 #: options of a curve that no law takes: they are for the capacity
 _OTHER_OPTIONS = frozenset({"plug"})
+
+_T = TypeVar("_T", Array, Index)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -122,7 +125,7 @@ class Profile:
             return Reaction(len(depth), ())
         groups: dict[tuple[object, ...], list[_Piece]] = {}
         layer = self.layer(depth)
-        for index in np.unique(layer).tolist():
+        for index in sorted(set(layer.tolist())):
             at = np.flatnonzero(layer == index)
             for key, piece in self._pieces(kind.family, index, at, depth[at]):
                 groups.setdefault(key, []).append(piece)
@@ -165,15 +168,17 @@ class Profile:
 
     def _term(self, kind: Kind, pieces: list[_Piece], diameter: Array) -> Term | None:
         """The pieces of one law as one vectorised law; None if there is no reaction."""
-        at = np.concatenate([piece.at for piece in pieces])
-        order = np.argsort(at)
-        at, curve = at[order], pieces[0].curve
-        depth = np.concatenate([piece.depth for piece in pieces])[order]
-        weight = np.concatenate([piece.weight for piece in pieces])[order]
-        layer = np.concatenate([np.full(len(piece.at), piece.layer) for piece in pieces])[order]
+        order = np.argsort(np.concatenate([piece.at for piece in pieces]))
+
+        def joined(parts: list[_T]) -> _T:
+            return parts[0] if len(parts) == 1 else np.concatenate(parts)[order]
+
+        at, curve = joined([piece.at for piece in pieces]), pieces[0].curve
+        depth = joined([piece.depth for piece in pieces])
+        weight = joined([piece.weight for piece in pieces])
+        layer = joined([np.full(len(piece.at), piece.layer, np.intp) for piece in pieces])
         parameters = {
-            name: np.concatenate([piece.parameters[name] for piece in pieces])[order]
-            for name in curve.parameters
+            name: joined([piece.parameters[name] for piece in pieces]) for name in curve.parameters
         }
         ids = tuple(dict.fromkeys(i for piece in pieces for i in piece.ids))
         try:
@@ -215,7 +220,7 @@ class Profile:
             )
         if curve.law not in kind.laws:
             return None
-        known = set().union(*(taken(side) for side in sides if side)) | {WEIGHT} | _OTHER_OPTIONS
+        known = _known(sides)
         given: dict[str, Any] = {
             "depth": depth,
             "diameter": diameter,
@@ -257,6 +262,12 @@ def profile_of(scene: Scene, foundation: Foundation, axial: bool | None = None) 
     """The ground as a foundation's tubes meet it; axial: as the scene says, or forced."""
     curves = scene.numerics.axial_curves if axial is None else axial
     return Profile(scene.ground, foundation.mudline - scene.tip(foundation), curves)
+
+
+@cache
+def _known(sides: tuple[type[Law] | None, ...]) -> frozenset[str]:
+    """What curves of these laws may give."""
+    return _OTHER_OPTIONS.union([WEIGHT], *(taken(side) for side in sides if side))
 
 
 def _type_of(curve: Curve) -> tuple[object, ...]:
