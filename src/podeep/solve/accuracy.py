@@ -15,7 +15,7 @@ import numpy as np
 from ..arrays import Array, Flags
 from ..model.assemble import Model, Problem
 from ..model.coupling import pressed, rubbed, rubs
-from ..model.results import Results
+from ..model.results import Results, reacted
 from ..model.system import System
 from .across import across
 from .newton import NO_SCALE, Ending, Limits, Scale, largest, newton
@@ -187,7 +187,7 @@ def estimate(
     elements do not resolve. path: where the last of the states lie beyond a peak. Errors there are
     at the same place across the path; 1 where none was found.
     """
-    model = old.model
+    model, soil = old.model, old.model.profile
     factors = np.array([s.factors for s in states])
     new, lost, adrift = _finer(old, richer, states, path)
     share = np.arange(_PLACES) / _PLACES
@@ -195,6 +195,7 @@ def estimate(
     every = np.append(inside.ravel(), richer.edges[-1])
     wet = np.unique(np.concatenate([every, richer.edges[:-1] + _BELOW]))
     wet = wet[wet >= 0.0]
+    across, along = (react(wet, old.diameter(wet)) for react in (soil.lateral, soil.shaft))
     outer = _outer_moments(model.lateral, states, factors)
 
     def of_all(value: Callable[[Results, Array, int], Array]) -> tuple[Array, Array]:
@@ -204,14 +205,14 @@ def estimate(
     return (
         _estimate(
             _Pair(*of_all(lambda r, x, tube: r.deflection(x, 0, tube))),
-            _Pair(new.lateral_reaction(wet), old.lateral_reaction(wet)),
+            _Pair(*(reacted(r.deflection(wet), across) for r in (new, old))),
             _Pair(*of_all(lambda r, x, tube: r.shear_and_moment(x, tube)[1]), outer),
             parts[0].total,
             lost,
         ),
         _estimate(
             _Pair(*of_all(lambda r, x, tube: r.settlement(x, 0, tube))),
-            _Pair(new.axial_reaction(wet), old.axial_reaction(wet)),
+            _Pair(*(along.evaluate(r.settlement(wet))[0] for r in (new, old))),
             _Pair(*of_all(Results.compression)),
             parts[1].total,
             adrift,

@@ -145,19 +145,14 @@ def _unresolved(
     lengths = np.diff(field.edges)[intervals]
     count = field.degree + 1 - field.continuity
     xi = -np.cos(np.pi * np.arange(_CHECKS + 1) / _CHECKS) * (1.0 - _NEAR_END)
-    gauss, checks = (
-        (field.edges[intervals, None] + 0.5 * lengths[:, None] * (places + 1.0)).ravel()
-        for places in (gauss_points(count)[0], xi)
-    )
-
-    def resistance(x: Array) -> Array:
-        own = _resistance(problem, states, at(x))
-        return own if leader is None else own * _norm(_resistance(problem, states, leader(x)))
-
-    known, true = resistance(gauss), resistance(checks)
-    steps, n = len(true), len(intervals)
-    true = true.reshape(steps, -1, n, len(xi))
-    known = known.reshape(steps, -1, n, count)
+    places = np.concatenate([gauss_points(count)[0], xi])
+    x = (field.edges[intervals, None] + 0.5 * lengths[:, None] * (places + 1.0)).ravel()
+    resistance = _resistance(problem, states, at(x))
+    if leader is not None:
+        resistance *= _norm(_resistance(problem, states, leader(x)))
+    steps, n = len(states), len(intervals)
+    resistance = resistance.reshape(steps, -1, n, len(places))
+    known, true = resistance[..., :count], resistance[..., count:]
     error = np.abs(known @ gauss_interpolation(xi, count).T - true)
     half = 0.5 * lengths
     missing = trapezoid(error, xi).sum(axis=1) * half
