@@ -3,12 +3,10 @@
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from ..arrays import Array
-
-if TYPE_CHECKING:
-    from .backbone import Polyline
+from .polyline import Polyline
 
 
 class Law(ABC):
@@ -37,7 +35,7 @@ class Law(ABC):
         """Bound of |force| at each point, shape (n,); inf where a law has none."""
 
     @property
-    def polyline(self) -> "Polyline | None":
+    def polyline(self) -> Polyline | None:
         """The straight lines that the law is; None where it is more."""
         return None
 

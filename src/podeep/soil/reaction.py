@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Array, Index
-from .backbone import Polyline
 from .law import Law
+from .polyline import Polyline
 
 _MOST_NODES = 64  # of straight lines that are evaluated together
 _Evaluate = Callable[[Array], tuple[Array, Array]]
