@@ -6,9 +6,9 @@ from scipy import sparse
 from ..arrays import Array, Index
 
 try:  # a private name of SciPy, which spares a call what its public product spends on checks
-    from scipy.sparse._sparsetools import csr_matvec as _csr_matvec
+    from scipy.sparse._sparsetools import csc_matvec as _csc_matvec
 except ImportError:
-    _csr_matvec = None  # type: ignore[assignment]  # the public product is used
+    _csc_matvec = None  # type: ignore[assignment]  # the public product is used
 
 
 def band_place(rows: Index, columns: Index, width: int) -> Index:
@@ -40,14 +40,6 @@ def scatter(place: Index, values: Array, size: int) -> Array:
     return np.bincount(place.ravel(), values.ravel(), size).astype(np.float64, copy=False)
 
 
-def scatter_matrix(
-    place: Index, values: Array, source: Index, shape: tuple[int, int]
-) -> sparse.csr_array:
-    """Sparse matrix that spreads one number a point over the band; duplicates are summed."""
-    entries = sparse.coo_array((values.ravel(), (place.ravel(), source.ravel())), shape=shape)
-    return sparse.csr_array(entries)
-
-
 def general_band(lower: Array) -> Array:
     """A symmetric matrix as LAPACK's general band storage, with the room that pivots need.
 
@@ -62,10 +54,10 @@ def general_band(lower: Array) -> Array:
     return whole
 
 
-def add_product(matrix: sparse.csr_array, x: Array, total: Array) -> None:
+def add_product(matrix: sparse.csc_array, x: Array, total: Array) -> None:
     """Add matrix @ x to a total, in place."""
-    if _csr_matvec is None:
+    if _csc_matvec is None:
         total += matrix @ x
     else:
         rows, columns = matrix.shape
-        _csr_matvec(rows, columns, matrix.indptr, matrix.indices, matrix.data, x, total)
+        _csc_matvec(rows, columns, matrix.indptr, matrix.indices, matrix.data, x, total)

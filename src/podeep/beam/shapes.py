@@ -16,7 +16,6 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.polynomial import Legendre, Polynomial
-from numpy.polynomial.polynomial import polyval
 
 from ..arrays import Array
 
@@ -69,12 +68,21 @@ def _table(polynomials: tuple[Polynomial, ...]) -> Array:
     return table
 
 
+def _values(xi: Array, table: Array) -> Array:
+    """Values (n, functions) at xi of polynomials by their table of coefficients."""
+    total = np.tile(table[-1], (len(xi), 1))
+    for row in table[-2::-1]:
+        total *= xi[:, None]
+        total += row
+    return total
+
+
 def shape_functions(xi: Array, continuity: int, degree: int, derivative: int = 0) -> Array:
     """Values of all functions of an element, or of a derivative d/dxi of them.
 
     xi: shape (n,). Returns shape (n, functions). `continuity` is 1 for deflection, 0 for stretch.
     """
-    return np.asarray(polyval(xi, _coefficients(continuity, degree, derivative)).T)
+    return _values(xi, _coefficients(continuity, degree, derivative))
 
 
 @lru_cache(maxsize=64)
@@ -98,9 +106,15 @@ def _lagrange(count: int) -> tuple[Polynomial, ...]:
     return tuple(Polynomial.fromroots(o) / np.prod(x - o) for x, o in zip(xi, others, strict=True))
 
 
+@lru_cache(maxsize=16)
+def _interpolants(count: int) -> Array:
+    """Coefficients of the Lagrange polynomials over the Gauss points."""
+    return _table(_lagrange(count))
+
+
 def gauss_interpolation(xi: Array, count: int) -> Array:
     """Matrix (n, count) from values at `count` Gauss points to their polynomial at each xi."""
-    return np.asarray(polyval(xi, _table(_lagrange(count))).T)
+    return _values(xi, _interpolants(count))
 
 
 def gauss_integrals(xi: Array, count: int) -> tuple[Array, Array]:
@@ -110,7 +124,7 @@ def gauss_integrals(xi: Array, count: int) -> tuple[Array, Array]:
     first and the second integral at each xi, exact for the interpolating polynomial.
     """
     first, second = _integrals(count)
-    return np.asarray(polyval(xi, first).T), np.asarray(polyval(xi, second).T)
+    return _values(xi, first), _values(xi, second)
 
 
 @lru_cache(maxsize=16)

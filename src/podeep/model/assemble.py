@@ -47,8 +47,8 @@ class Problem:
         """Force vector of the weights, shape (unknowns,)."""
         total = np.zeros(self.system.size)
         for w in self.weights:
-            matrix = self.system.field.interpolation(w.x, 0, w.tube)
-            total += matrix.T @ (w.share * w.force)
+            rows = self.system.field.interpolation(w.x, 0, w.tube)
+            np.add.at(total, rows.dofs, rows.shares * (w.share * w.force)[:, None])
         return total
 
     def load(self, factors: Array) -> Array:

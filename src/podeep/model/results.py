@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 
 import numpy as np
-from scipy import sparse
 
 from ..arrays import Array, Index
 from ..beam.field import Field
+from ..beam.rows import Rows
 from ..beam.strings import summed
 from ..scene import Section
 from ..soil.reaction import Reaction
@@ -46,7 +46,7 @@ def apart(model: Model, deflection: Array, points: Points) -> Array:
     """How far the axes of two tubes stand apart at points between them, (..., points), m."""
     system = model.lateral.system
     unknowns = deflection.reshape(*deflection.shape[:-1], -1, system.components)
-    moved = product(np.moveaxis(unknowns, -1, 0), points.matrix(system.field))
+    moved = product(np.moveaxis(unknowns, -1, 0), points.rows(system.field))
     return np.asarray(np.linalg.norm(moved, axis=0))
 
 
@@ -263,7 +263,7 @@ def reacted(u: Array, reaction: Reaction) -> Array:
     return np.asarray(secant(force, distance, modulus)[:, None] * u)
 
 
-def product(unknowns: Array, matrix: sparse.csr_array) -> Array:
+def product(unknowns: Array, matrix: Rows) -> Array:
     """Apply an interpolation matrix to the last axis of stacked unknowns."""
     flat = unknowns.reshape(-1, unknowns.shape[-1])
-    return np.asarray((matrix @ flat.T).T).reshape(*unknowns.shape[:-1], -1)
+    return (matrix @ flat.T).T.reshape(*unknowns.shape[:-1], -1)

@@ -28,7 +28,7 @@ def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
         x, of = (fine.tops[:, None] + fine.lengths[:, None] * share).ravel(), np.repeat(tube, count)
         matrix = fine.interpolation(x, 0, of)
         left = product(given, coarse.interpolation(x, 0, of)) - product(rows, matrix)
-        functions = matrix.data.reshape(elements, count, count)[..., inner]
+        functions = matrix.shares.reshape(elements, count, count)[..., inner]
         fit = np.linalg.pinv(functions)
         rest = left.reshape(len(q), components, elements, count)
         rows[..., fine.dofs[:, inner]] = np.einsum("eig,sceg->scei", fit, rest)

@@ -171,7 +171,7 @@ def _resistance(problem: Problem, states: Array, points: Points) -> Array:
     """What resists at points in each state by component, (steps, components, points)."""
     components = problem.system.components
     unknowns = np.moveaxis(states.reshape(len(states), -1, components), 2, 1)
-    u = product(unknowns, points.matrix(problem.system.field))
+    u = product(unknowns, points.rows(problem.system.field))
     return reacted(u, points.reaction)
 
 
@@ -241,8 +241,8 @@ def _force(one: Unresolved, x: Array, interval: Index, step: Index) -> Array:
     rows = np.repeat(step, x.shape[1])[:, None]
 
     def size(points: Points) -> Array:
-        dofs, shares = points.rows(system.field)
-        u = np.einsum("rl,rlc->rc", shares, unknowns[rows, dofs])
+        own = points.rows(system.field)
+        u = np.einsum("rl,rlc->rc", own.shares, unknowns[rows, own.dofs])
         moved = u[:, 0] if system.components == 1 else np.hypot(u[:, 0], u[:, 1])
         return points.reaction.evaluate(moved)[0]
 
