@@ -175,10 +175,8 @@ class Field:
 
     def _rows(self, values: Array, element: Index, derivative: int) -> Rows:
         """From values of unmixed functions in d/dxi^derivative, (n, local), to all unknowns."""
-        half = 0.5 * self.lengths[element]
-        values = self.mixed(values, element)
-        values = values * (self.scale[element] / half[:, None] ** derivative)
-        return Rows(self.dofs[element], values, self.size)
+        scale = self.scale / (0.5 * self.lengths[:, None]) ** derivative
+        return Rows(self.dofs[element], self.mixed(values, element) * scale[element], self.size)
 
     def top_functions(self, points: int, motion: Motion) -> Array:
         """Functions of each element's top node at so many Gauss points, unscaled.

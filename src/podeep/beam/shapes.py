@@ -70,11 +70,12 @@ def _table(polynomials: tuple[Polynomial, ...]) -> Array:
 
 def _values(xi: Array, table: Array) -> Array:
     """Values (n, functions) at xi of polynomials by their table of coefficients."""
-    total = np.tile(table[-1], (len(xi), 1))
-    for row in table[-2::-1]:
-        total *= xi[:, None]
+    highest, *lower = table[::-1, :, None]
+    total = np.repeat(highest, len(xi), axis=1)
+    for row in lower:
+        total *= xi
         total += row
-    return total
+    return total.T
 
 
 def shape_functions(xi: Array, continuity: int, degree: int, derivative: int = 0) -> Array:

@@ -71,7 +71,7 @@ class Polyline:
         x, (count, n) = self.nodes, np.broadcast_shapes(self.values.shape, self.scale.shape)
         v = np.broadcast_to(self.values, (count, n))
         slope, intercept = np.zeros((count + 1, n)), np.empty((count + 1, n))
-        slope[1:-1] = np.diff(v, axis=0) / np.diff(x)[:, None]
+        slope[1:-1] = (v[1:] - v[:-1]) / (x[1:] - x[:-1])[:, None]
         near = np.arange(count - 1) + (x[:-1] < 0.0)
         intercept[1:-1] = v[near] - slope[1:-1] * x[near][:, None]
         intercept[0], intercept[-1] = v[0], v[-1]

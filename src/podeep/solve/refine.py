@@ -29,7 +29,7 @@ _ROUNDING = 1e-4  # of all soil force: what rounding of displacements may make o
 _SOFTEST = 1e4  # EI / GAs over (h/2)^2: rounding of its square is then 1e-8
 _CHECKS = 16  # intervals of an element between the depths where its force is checked
 _NEAR_END = 1e-9  # of half an element: a check stays in the element's own soil layer
-_ZOOMS = 4  # times that a corner is looked for in an eighth of the interval
+_ZOOMS = 4  # times that a corner is looked for in an eighth of the interval, two at one evaluation
 _LOOKS = 16  # intervals of each look
 _CORNER = (2.0 / _LOOKS) ** (1.5 * (_ZOOMS - 1))  # corners bend by more than this, curves by less
 _WET = 1e-6  # below the mudline, m
@@ -217,18 +217,26 @@ def _cuts(one: Unresolved, poor: Flags, shortest: Array) -> Array:
     interval, step = among[chosen], one.share[:, chosen].argmax(axis=0)
     above, below = edges[interval], edges[interval + 1]
     left, right = above, below
-    bends = []
-    for _ in range(_ZOOMS):
-        x = left[:, None] + (right - left)[:, None] * np.linspace(0.0, 1.0, _LOOKS + 1)
+    bends, every, half = [], np.arange(len(chosen)), _LOOKS // 2
+    for _ in range(_ZOOMS // 2):
+        x = left[:, None] + (right - left)[:, None] * np.linspace(0.0, 1.0, _LOOKS * half + 1)
         force = _force(one, x, interval, step)
-        bend = np.abs(force[:, 2:] - 2.0 * force[:, 1:-1] + force[:, :-2])
-        at, every = bend.argmax(axis=1), np.arange(len(x))
-        left, right = x[every, at], x[every, at + 2]
-        bends.append(bend[every, at])
+        at, first = _sharpest(force[:, ::half])
+        near = half * at[:, None] + np.arange(_LOOKS + 1)
+        at, second = _sharpest(np.take_along_axis(force, near, axis=1))
+        left, right = x[every, near[every, at]], x[every, near[every, at + 2]]
+        bends += [first, second]
     cornered = bends[-1] > _CORNER * bends[0]
     cut = np.where(cornered, 0.5 * (left + right), 0.5 * (above + below))
     margin = np.maximum(_MARGIN * (below - above), shortest[interval])
     return np.clip(cut, above + margin, below - margin)
+
+
+def _sharpest(force: Array) -> tuple[Index, Array]:
+    """The first of the three points over which each row bends most, and how much it does."""
+    bend = np.abs(force[:, 2:] - 2.0 * force[:, 1:-1] + force[:, :-2])
+    at = bend.argmax(axis=1)
+    return at, bend[np.arange(len(at)), at]
 
 
 def _force(one: Unresolved, x: Array, interval: Index, step: Index) -> Array:
