@@ -1,5 +1,7 @@
 """Symmetric matrices in LAPACK's lower band storage, and products that land straight in it."""
 
+from functools import cache
+
 import numpy as np
 from scipy import sparse
 
@@ -19,13 +21,19 @@ def band_place(rows: Index, columns: Index, width: int) -> Index:
     return (rows - columns) + columns * width
 
 
+@cache
+def _lower(size: int) -> tuple[Index, Index]:
+    """Row and column of each entry of a lower triangle."""
+    return np.tril_indices(size)
+
+
 def pairs(dofs: Index) -> tuple[Index, Index, Index, Index]:
     """Lower-triangle pairs of the unknowns of each element.
 
     dofs: shape (elements, local). Returns the local indices i, j of each pair and the global rows
     and columns, shape (elements, pairs), row >= column.
     """
-    i, j = np.tril_indices(dofs.shape[1])
+    i, j = _lower(dofs.shape[1])
     first, second = dofs[:, i], dofs[:, j]
     return i, j, np.maximum(first, second), np.minimum(first, second)
 

@@ -96,7 +96,7 @@ class Field:
 
     def elements(self, x: Array, tube: Index | int = 0) -> Index:
         """Element of a tube that holds each x; a shared edge belongs to the element above it."""
-        inner = np.searchsorted(self.edges[1:-1], x, side="left")
+        inner = self.edges[1:-1].searchsorted(x, side="left")
         return self.strings.element(inner, tube)
 
     @cached_property

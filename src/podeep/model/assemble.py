@@ -108,8 +108,9 @@ def assemble(
     piece = np.searchsorted([p.bottom for p in pieces], middle)
     owned, tied = parts(pieces, piece), ties(scene, foundation)
     found = touches(scene, foundation, pieces)
-    bent = weave(pieces, piece, lateral_links(tied, found, pieces))
-    stretched = weave(pieces, piece, tied)
+    links = lateral_links(tied, found, pieces)
+    bent = weave(pieces, piece, links)
+    stretched = bent if links == tied else weave(pieces, piece, tied)
     length = float(np.mean(np.diff(boundaries)))
     soft = summed(bent, owned.shearing) if needs.shear else None
     bending, stretching = summed(bent, owned.bending), summed(stretched, owned.stretching)

@@ -29,7 +29,7 @@ class Layers:
 
     def index(self, depth: Array) -> Index:
         """Index of the layer of each depth, from 0."""
-        return np.asarray(np.searchsorted(self.top[1:], depth, side="left"), dtype=np.intp)
+        return self.top[1:].searchsorted(depth, side="left")
 
     def share(self, depth: Array) -> Array:
         """How far down in its layer each depth lies, 0 to 1; 0 in the endless one."""

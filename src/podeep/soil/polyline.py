@@ -68,8 +68,8 @@ class Polyline:
         A negative edge is moved by one bit so that the same search gives the derivative away from
         zero on both sides. Lines are anchored at their end nearer to zero: exact there, and odd.
         """
-        x, (count, n) = self.nodes, np.broadcast_shapes(self.values.shape, self.scale.shape)
-        v = np.broadcast_to(self.values, (count, n))
+        x, v, count = self.nodes, self.values, len(self.nodes)
+        n = v.shape[1] if len(self.scale) == 1 else len(self.scale)
         slope, intercept = np.zeros((count + 1, n)), np.empty((count + 1, n))
         slope[1:-1] = (v[1:] - v[:-1]) / (x[1:] - x[:-1])[:, None]
         near = np.arange(count - 1) + (x[:-1] < 0.0)

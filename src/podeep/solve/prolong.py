@@ -16,11 +16,12 @@ def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
     given = np.moveaxis(q.reshape(len(q), -1, components), 2, 1)
     rows = np.zeros((len(q), components, fine.size))
     tube = fine.strings.leader
-    for x, node in ((fine.tops, 0), (fine.tops + fine.lengths, -fine.nodal)):
-        rows[..., fine.dofs[:, node]] = product(given, coarse.interpolation(x, 0, tube))
-        if fine.nodal == 2:
-            turned = product(given, coarse.rotation(x, tube))
-            rows[..., fine.dofs[:, node + 1]] = fine.slope_length * turned
+    ends, both = np.concatenate([fine.tops, fine.tops + fine.lengths]), np.tile(tube, 2)
+    nodes = fine.dofs[:, [0, -fine.nodal]].T.ravel()
+    rows[..., nodes] = product(given, coarse.interpolation(ends, 0, both))
+    if fine.nodal == 2:
+        turned = product(given, coarse.rotation(ends, both))
+        rows[..., nodes + 1] = fine.slope_length * turned
     inner = slice(fine.nodal, fine.local - fine.nodal)
     if fine.local > 2 * fine.nodal:
         elements, count = fine.dofs.shape
