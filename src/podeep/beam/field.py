@@ -14,7 +14,13 @@ import numpy as np
 
 from ..arrays import Array, Index
 from .rows import Rows
-from .shapes import functions_at_gauss_points, gauss_points, nodal_functions, shape_functions
+from .shapes import (
+    functions_at_gauss_points,
+    gauss_points,
+    legendre_integrals,
+    nodal_functions,
+    shape_functions,
+)
 from .strings import Strings, chain
 
 Motion = Literal["value", "slope", "rotation"]
@@ -218,16 +224,14 @@ class Field:
         """For each kind of strain its Legendre coefficients by unknown, (elements, n, local), and
         the stiffness of each, (elements, n), N m or N."""
         order = self.continuity + 1
-        xi, weight = gauss_points(self.degree + 1)
         half = 0.5 * self.lengths
         blocks = []
         for kind, strain in enumerate(self._strains):
             count = self.local - order - kind
             if count < 1:
                 continue
-            legendre = np.polynomial.legendre.legvander(xi, count - 1)
             share = np.arange(count) + 0.5
-            modes = (legendre * weight[:, None]).T @ strain * share[:, None]
+            modes = legendre_integrals(self.degree + 1, count) @ strain * share[:, None]
             modes[np.abs(modes) < 1e-13] = 0.0
             values = modes * self.scale[:, None, :] / half[:, None, None] ** order
             factor = self.stiffness * half * (self.softness if kind else 1.0)

@@ -100,6 +100,16 @@ def gauss_points(count: int) -> tuple[Array, Array]:
 
 
 @lru_cache(maxsize=16)
+def legendre_integrals(points: int, count: int) -> Array:
+    """Matrix (count, points) from values at Gauss points to their products with Legendre
+    polynomials, integrated over (-1, 1)."""
+    xi, weight = gauss_points(points)
+    return np.ascontiguousarray(
+        (np.polynomial.legendre.legvander(xi, count - 1) * weight[:, None]).T
+    )
+
+
+@lru_cache(maxsize=16)
 def _lagrange(count: int) -> tuple[Polynomial, ...]:
     """The Lagrange polynomials over the Gauss points."""
     xi = gauss_points(count)[0]

@@ -168,12 +168,13 @@ class Profile:
 
     def _term(self, kind: Kind, pieces: list[_Piece], diameter: Array) -> Term | None:
         """The pieces of one law as one vectorised law; None if there is no reaction."""
-        order = np.argsort(np.concatenate([piece.at for piece in pieces]))
+        at, curve = np.concatenate([piece.at for piece in pieces]), pieces[0].curve
+        order: Index | slice = slice(None) if len(pieces) == 1 else np.argsort(at)
 
         def joined(parts: list[_T]) -> _T:
-            return parts[0] if len(parts) == 1 else np.concatenate(parts)[order]
+            return np.concatenate(parts)[order]
 
-        at, curve = joined([piece.at for piece in pieces]), pieces[0].curve
+        at = at[order]
         depth = joined([piece.depth for piece in pieces])
         weight = joined([piece.weight for piece in pieces])
         layer = joined([np.full(len(piece.at), piece.layer, np.intp) for piece in pieces])
