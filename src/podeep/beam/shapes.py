@@ -134,12 +134,11 @@ def gauss_integrals(xi: Array, count: int) -> tuple[Array, Array]:
     Returns two arrays of shape (n, count): times the values at the Gauss points they give the
     first and the second integral at each xi, exact for the interpolating polynomial.
     """
-    first, second = _integrals(count)
-    return _values(xi, first), _values(xi, second)
+    both = _values(xi, _integrals(count))
+    return both[:, :count], both[:, count:]
 
 
 @lru_cache(maxsize=16)
-def _integrals(count: int) -> tuple[Array, Array]:
-    """Coefficients of the first and second integrals of the Lagrange polynomials."""
-    first, second = (tuple(p.integ(times, lbnd=-1) for p in _lagrange(count)) for times in (1, 2))
-    return _table(first), _table(second)
+def _integrals(count: int) -> Array:
+    """Coefficients of the first integrals of the Lagrange polynomials, then of the second."""
+    return _table(tuple(p.integ(times, lbnd=-1) for times in (1, 2) for p in _lagrange(count)))

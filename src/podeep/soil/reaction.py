@@ -91,8 +91,10 @@ class Reaction:
         the packed order that add up to each point, one after the other (the last place holds 0).
         """
         packed = np.concatenate([np.zeros(0, dtype=np.intp), *(term.at for term in self.laws)])
-        shares = [np.ones(len(t.at)) if t.weight is None else t.weight for t in self.laws]
-        weight = np.concatenate(shares) if any(t.weight is not None for t in self.laws) else None
+        weight = None
+        if any(t.weight is not None for t in self.laws):
+            shares = [np.ones(len(t.at)) if t.weight is None else t.weight for t in self.laws]
+            weight = np.concatenate(shares)
         if np.array_equal(packed, np.arange(self.size)):
             return None, weight, []
         seen = np.zeros(self.size, dtype=np.intp)
