@@ -113,14 +113,20 @@ class Results:
         count = self.model.needs.components
         return np.moveaxis(self.lateral.reshape(len(self.lateral), -1, count), 2, 1)
 
+    @cached_property
+    def _outer(self) -> tuple[Array, Index, Array]:
+        """Bottom, outermost tube and its diameter of each stretch, (stretches,)."""
+        pieces = self.model.pieces
+        widths = np.array([p.section.outer_diameter for p in pieces])
+        return np.array([p.bottom for p in pieces]), np.array([p.outermost for p in pieces]), widths
+
     def piece(self, x: Array) -> Index:
         """Stretch that holds each x; a shared end belongs to the one above it."""
-        bottoms = np.array([p.bottom for p in self.model.pieces[:-1]])
-        return np.asarray(np.searchsorted(bottoms, x, side="left"))
+        return self._outer[0][:-1].searchsorted(x, side="left")
 
     def outermost(self, x: Array) -> Index:
         """Number of the outermost tube at depths x, (len(x),)."""
-        return np.array([p.outermost for p in self.model.pieces])[self.piece(x)]
+        return self._outer[1][self.piece(x)]
 
     def sections(self, x: Array, tube: int) -> list[Section]:
         """Section of a tube at each of some depths that it reaches."""
@@ -162,8 +168,7 @@ class Results:
 
     def diameter(self, x: Array) -> Array:
         """Diameter of the outermost tube at depths x, m; at a step of diameter that above it."""
-        widths = np.array([p.section.outer_diameter for p in self.model.pieces])
-        return widths[self.piece(x)]
+        return self._outer[2][self.piece(x)]
 
     def lateral_reaction(self, x: Array) -> Array:
         """Soil reaction by component at embedded depths, shape (steps, components, len(x)), N/m."""

@@ -8,9 +8,9 @@ are met better the next time.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
-from scipy.integrate import trapezoid
 
 from ..arrays import Array, Flags, Index
 from ..beam.field import Motion
@@ -144,22 +144,30 @@ def _unresolved(
     field = problem.system.field
     lengths = np.diff(field.edges)[intervals]
     count = field.degree + 1 - field.continuity
-    xi = -np.cos(np.pi * np.arange(_CHECKS + 1) / _CHECKS) * (1.0 - _NEAR_END)
-    places = np.concatenate([gauss_points(count)[0], xi])
+    places, interpolation, weight = _checks(count)
     x = (field.edges[intervals, None] + 0.5 * lengths[:, None] * (places + 1.0)).ravel()
     resistance = _resistance(problem, states, at(x))
     if leader is not None:
-        resistance *= _norm(_resistance(problem, states, leader(x)))
+        resistance = resistance * _norm(_resistance(problem, states, leader(x)))
     steps, n = len(states), len(intervals)
     resistance = resistance.reshape(steps, -1, n, len(places))
     known, true = resistance[..., :count], resistance[..., count:]
-    error = np.abs(known @ gauss_interpolation(xi, count).T - true)
+    error = np.abs(known @ interpolation - true)
     half = 0.5 * lengths
-    missing = trapezoid(error, xi).sum(axis=1) * half
-    every = trapezoid(np.abs(true), xi).sum(axis=1) @ half
+    missing = (error @ weight).sum(axis=1) * half
+    every = (np.abs(true) @ weight).sum(axis=1) @ half
     whole = np.maximum(every, REST * every.max(initial=0.0))[:, None]
     share: Array = np.divide(missing, whole, out=np.zeros(missing.shape), where=whole > 0.0)
     return Unresolved(share, every, intervals, problem, states, at, leader)
+
+
+@cache
+def _checks(count: int) -> tuple[Array, Array, Array]:
+    """Gauss points of an element, then the checks; from the first to the second; their weights."""
+    xi = -np.cos(np.pi * np.arange(_CHECKS + 1) / _CHECKS) * (1.0 - _NEAR_END)
+    weight = 0.5 * (np.diff(xi, prepend=xi[0]) + np.diff(xi, append=xi[-1]))  # trapezoids
+    places = np.concatenate([gauss_points(count)[0], xi])
+    return places, gauss_interpolation(xi, count).T, weight
 
 
 def _norm(vectors: Array) -> Array:
