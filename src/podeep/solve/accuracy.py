@@ -195,7 +195,7 @@ def estimate(
     every = np.append(inside.ravel(), richer.edges[-1])
     wet = np.unique(np.concatenate([every, richer.edges[:-1] + _BELOW]))
     wet = wet[wet >= 0.0]
-    across, along = (react(wet, old.diameter(wet)) for react in (soil.lateral, soil.shaft))
+    lateral, shaft = (react(wet, old.diameter(wet)) for react in (soil.lateral, soil.shaft))
     outer = _outer_moments(model.lateral, states, factors)
 
     def of_all(value: Callable[[Results, Array, int], Array]) -> tuple[Array, Array]:
@@ -209,14 +209,14 @@ def estimate(
     return (
         _estimate(
             _Pair(*of_all(lambda r, x, tube: r.deflection(x, 0, tube))),
-            _Pair(*np.split(reacted(both(Results.deflection), across), 2)),
+            _Pair(*np.split(reacted(both(Results.deflection), lateral), 2)),
             _Pair(*of_all(lambda r, x, tube: r.shear_and_moment(x, tube)[1]), outer),
             parts[0].total,
             lost,
         ),
         _estimate(
             _Pair(*of_all(lambda r, x, tube: r.settlement(x, 0, tube))),
-            _Pair(*np.split(along.evaluate(both(Results.settlement))[0], 2)),
+            _Pair(*np.split(shaft.evaluate(both(Results.settlement))[0], 2)),
             _Pair(*of_all(Results.compression)),
             parts[1].total,
             adrift,
