@@ -16,12 +16,13 @@ deck.py_keyword deck.tz_keyword deck.structure_keywords deck.action_keywords dec
 deck.keywords deck.cells deck.registry deck.curves deck.ground deck.structure deck.foundations
 deck.actions deck.ties
 deck.paragraphs deck.read
-soil.law soil.backbone soil.soft_clay soil.sand soil.initial_line soil.stiff_clay soil.weak_rock
+soil.polyline soil.law soil.backbone soil.soft_clay soil.sand soil.initial_line soil.stiff_clay
+soil.weak_rock
 soil.reese_sand soil.iso_clay soil.pisa_fits soil.pisa soil.lateral soil.axial soil.layering
 soil.layers soil.surroundings soil.kinds soil.equivalent soil.reaction soil.profile soil.curves
 soil.lateral_capacity soil.axial_capacity soil.required_length soil.spudcan soil.spudcan_bearing
 soil.spudcan_yield
-beam.__init__ beam.shapes beam.strings beam.field beam.band
+beam.__init__ beam.shapes beam.strings beam.rows beam.field beam.band
 model.__init__ model.needs model.mesh model.weave model.compression model.contact model.points
 model.moduli model.system model.many model.footing model.holds model.weight model.around
 model.assemble

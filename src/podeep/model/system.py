@@ -19,18 +19,18 @@ from scipy import sparse
 from scipy.linalg import lapack
 
 from ..arrays import Array, Index
-from ..beam.band import add_product, band_place, bandwidth, element_band, scatter_matrix, without
+from ..beam.band import add_product, band_place, bandwidth, element_band, pairs, without
 from ..beam.field import Field
+from ..beam.rows import Rows, stacked
 from ..soil.reaction import Reaction
 from .moduli import NOTHING, directed, secant
-from .points import Points, Spring, stacked
+from .points import Points, Spring
 
 _FAR = 0.1  # displacement at which any soil is taken to have its capacity, m: for directions alone
 _FURTHEST = 10.0  # displacement at which a contact is surely closed, m
 _FIRST = 1e-3  # displacement whose secants take a state from rest, m
 _STEEP = 100.0  # times these secants from which the tangent at rest counts as infinite
 _SHARE = 1e-4  # of the secant: least modulus where a tangent has to be made positive definite
-_DENSE = 40_000  # entries below which a dense product beats a sparse one (call overhead)
 
 
 #: Of points at a state: their motion, its size, force and modulus along it, and p / r across it.
@@ -63,17 +63,13 @@ class System:
         weight = np.concatenate([p.weight for p in points]) if points else np.zeros(0)
         self.weight = weight
         rows = [p.rows(field) for p in points]
-        shape = stacked(rows, field.size)
         self._build_tangent(rows, springs)
-        weighted = sparse.csr_array((shape * weight[:, None]).T)
         modes, stiffness = field.strain_modes
-        stress = sparse.csr_array((modes * stiffness[:, None]).T)
         # displacements at the points and strains at once; then the forces of both at once
-        self._observe = _compact(sparse.csr_array(sparse.vstack([shape, modes])))
-        self._balance = _compact(sparse.csr_array(sparse.hstack([weighted, stress])))
-        self._count = len(weight)
-        moduli = [self._capacity_modulus(p) for p in points]
-        self._capacity_moduli = np.concatenate([np.zeros(0), *moduli])
+        self._observe = stacked([*rows, modes], field.size)
+        factors = np.concatenate([weight, stiffness])
+        self._balance = _transposed(self._observe * factors[:, None])
+        self._count, self._at_rest = len(weight), self.points
         self.softening = 1.0
         self._at: Array | None = None
         self.reached: Reached
@@ -83,11 +79,9 @@ class System:
         self._soft = np.zeros(self.size)
         np.add.at(self._soft, [s.dof for s in soft], [s.stiffness for s in soft])
 
-    def _build_tangent(
-        self, points: Sequence[tuple[Index, Array]], springs: Sequence[Spring]
-    ) -> None:
+    def _build_tangent(self, points: Sequence[Rows], springs: Sequence[Spring]) -> None:
         field, m = self.field, self.components
-        coupled = [field.dofs, *(dofs for dofs, _ in points if len(dofs))]
+        coupled = [field.dofs, *(rows.dofs for rows in points if len(rows.dofs))]
         self.width = max(bandwidth(dofs) for dofs in coupled) * m
         storage = self.width * self.size
         free = np.ones(self.size, dtype=bool)
@@ -113,40 +107,33 @@ class System:
         kept = inside & free[column] & free[np.minimum(row, self.size - 1)]
         return kept.astype(np.float64)
 
-    def _spreading(
-        self, points: Sequence[tuple[Index, Array]], keep: Array, storage: int
-    ) -> sparse.csr_array:
-        """Matrix from the moduli at the points to the band they add to."""
-        m, count = self.components, len(self.weight)
-        places, entries, sources = [np.zeros(0, np.intp)], [np.zeros(0)], [np.zeros(0, np.intp)]
+    def _spreading(self, points: Sequence[Rows], keep: Array, storage: int) -> sparse.csc_array:
+        """Matrix from the moduli at the points to the band they add to, a column for each."""
+        m = self.components
+        places, entries, counts = [np.zeros(0, np.intp)], [np.zeros(0)], [np.zeros(1, np.intp)]
 
-        def add(rows: Index, columns: Index, entry: Array, source: Index) -> None:
+        def add(rows: Index, columns: Index, entry: Array) -> None:
             places.append(band_place(rows, columns, self.width).ravel())
             entries.append(entry.ravel())
-            sources.append(np.broadcast_to(source, entry.shape).ravel())
+            counts.append(np.full(len(entry), entry.shape[1]))
 
-        for (dofs, shares), at in zip(points, self._slices, strict=True):
-            weighted, local = shares * self.weight[at, None], dofs.shape[1]
-            source = np.arange(at.start, at.stop)[:, None]
-            i, j = np.tril_indices(local)
-            rows, columns = np.maximum(dofs[:, i], dofs[:, j]), np.minimum(dofs[:, i], dofs[:, j])
-            twice = 1.0 + ((rows == columns) & (i != j))  # one unknown of both tubes
-            for c in range(m):  # direct terms: component c with itself
-                entry = twice * shares[:, i] * weighted[:, j]
-                add(rows * m + c, columns * m + c, entry, source + c * count)
-            if m == 2:  # cross terms: component 1 of i with component 0 of j, and the reverse
-                first, second = (a.ravel() for a in np.indices((local, local)))
-                one, zero = dofs[:, first] * 2 + 1, dofs[:, second] * 2
-                entry = shares[:, first] * weighted[:, second]
-                add(np.maximum(one, zero), np.minimum(one, zero), entry, source + 2 * count)
-        place = np.concatenate(places)
-        kinds = 1 if m == 1 else 3
-        return scatter_matrix(
-            place,
-            np.concatenate(entries) * keep[place],
-            np.concatenate(sources),
-            (storage, kinds * count),
-        )
+        weighted = [
+            p.shares * self.weight[at, None] for p, at in zip(points, self._slices, strict=True)
+        ]
+        for c in range(m):  # direct terms: component c with itself
+            for p, moved in zip(points, weighted, strict=True):
+                i, j, rows, columns = pairs(p.dofs)
+                twice = 1.0 + ((rows == columns) & (i != j))  # one unknown of both tubes
+                add(rows * m + c, columns * m + c, twice * p.shares[:, i] * moved[:, j])
+        if m == 2:  # cross terms: component 1 of i with component 0 of j, and the reverse
+            for p, moved in zip(points, weighted, strict=True):
+                first, second = (a.ravel() for a in np.indices((p.dofs.shape[1],) * 2))
+                one, zero = p.dofs[:, first] * 2 + 1, p.dofs[:, second] * 2
+                entry = p.shares[:, first] * moved[:, second]
+                add(np.maximum(one, zero), np.minimum(one, zero), entry)
+        place, pointers = np.concatenate(places), np.cumsum(np.concatenate(counts))
+        entry = np.concatenate(entries) * keep[place]
+        return sparse.csc_array((entry, place, pointers), (storage, len(pointers) - 1))
 
     @cached_property
     def length(self) -> float:
@@ -211,11 +198,16 @@ class System:
         """The field at the Gauss points, shape (points, components)."""
         return np.asarray((self._observe @ q.reshape(-1, self.components))[: self._count])
 
+    @cached_property
+    def _capacity_moduli(self) -> Array:
+        """Moduli for directions alone, of the reactions that the system was built with."""
+        return np.concatenate([np.zeros(0), *map(self._capacity_modulus, self._at_rest)])
+
     def _capacity_modulus(self, points: Points) -> Array:
         """Share of the bound of the reaction at some points, (n,), or its last modulus."""
         bound, leader = points.reaction.capacity, points.follows
         if leader is not None:
-            bound = bound * self.points[leader].reaction.capacity
+            bound = bound * self._at_rest[leader].reaction.capacity
         last = points.reaction.evaluate(np.full(len(bound), _FURTHEST))[1]
         return np.asarray(np.where(np.isfinite(bound), bound / _FAR, last))
 
@@ -371,6 +363,8 @@ class System:
         return directed(along, across, u, distance).ravel()
 
 
-def _compact(matrix: sparse.csr_array) -> sparse.csr_array | Array:
-    """The matrix as it multiplies fastest."""
-    return matrix.toarray() if matrix.shape[0] * matrix.shape[1] <= _DENSE else matrix
+def _transposed(matrix: sparse.csr_array | Array) -> sparse.csr_array | Array:
+    """The transpose with its own rows side by side in memory."""
+    if isinstance(matrix, np.ndarray):
+        return np.ascontiguousarray(matrix.T)
+    return sparse.csr_array(matrix.T)

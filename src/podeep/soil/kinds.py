@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
+from functools import cache
 from math import pi
 from types import MappingProxyType
 from typing import Any, TypeVar
@@ -59,9 +60,11 @@ SIDES: Mapping[Family, Mapping[str, Any]] = MappingProxyType(
 _L = TypeVar("_L", bound=Law)
 
 
-def taken(law: type[Law]) -> set[str]:
+@cache
+def taken(law: type[Law]) -> frozenset[str]:
     """Names of the fields of a law."""
-    return {field.name for field in fields(law)}  # type: ignore[arg-type]  # laws are dataclasses
+    names = (field.name for field in fields(law))  # type: ignore[arg-type]  # laws are dataclasses
+    return frozenset(names)
 
 
 def made(law: type[_L], given: Mapping[str, Any]) -> _L:

@@ -163,7 +163,7 @@ def squeezed(model: Model, static: Model, rest: State) -> Squeeze:
         there = np.flatnonzero(carrier[interval] == element)
         rigid = -model.parts.stretching[interval[there], tube]
         place = (rigid, (there, np.arange(len(there))))
-        strain = axial.interpolation(points.x[there], 1, tube)
+        strain = sparse.csr_array(axial.interpolation(points.x[there], 1, tube))
         change = change + sparse.csr_array(place, (len(points.x), len(there))) @ strain
     free = replace(points, reaction=compression(still), compressed=False)
     return Squeeze(alone(lateral, free), still, rest.axial, sparse.csr_array(change))
