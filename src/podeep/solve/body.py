@@ -4,10 +4,10 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from scipy import sparse
 
-from ..arrays import Array
+from ..arrays import Array, Index
 from ..beam.band import element_band
+from ..beam.rows import Rows
 from ..errors import Fault, UserError
 from ..model.assemble import Model, Problem, assemble
 from ..model.compression import compression
@@ -30,17 +30,21 @@ class Squeeze:
     """The normal force of a stretch on the slope of the deflection, while both move.
 
     slopes: a system of the points where it acts. still: N there at the end of statics, (points,).
-    rest: the stretch's unknowns then; change: from what they move to what N grows by.
+    rest: the stretch's unknowns then. strains: of each tube, at those of the points where it is a
+    part of what deflects: their places, its EA there (N), and from unknowns to its strain.
     """
 
     slopes: System
     still: Array
     rest: Array
-    change: sparse.csr_array
+    strains: tuple[tuple[Index, Array, Rows], ...]
 
     def band(self, axial: Array) -> Array:
         """What the normal force takes from the stiffness, lower band (width, size)."""
-        return self.slopes.spread(self.still + self.change @ (axial - self.rest))
+        force, moved = self.still.copy(), axial - self.rest
+        for there, stiffness, strain in self.strains:
+            force[there] -= stiffness * (strain @ moved)
+        return self.slopes.spread(force)
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,12 +162,10 @@ def squeezed(model: Model, static: Model, rest: State) -> Squeeze:
     still = pressing(static, rest.axial, rest.lateral, static.lateral.system)
     element = lateral.field.elements(points.x, points.tube)
     interval = lateral.field.strings.interval[element]
-    change = sparse.csr_array((len(points.x), axial.size))
+    strains = []
     for tube, carrier in enumerate(lateral.field.strings.carrier):
         there = np.flatnonzero(carrier[interval] == element)
-        rigid = -model.parts.stretching[interval[there], tube]
-        place = (rigid, (there, np.arange(len(there))))
-        strain = sparse.csr_array(axial.interpolation(points.x[there], 1, tube))
-        change = change + sparse.csr_array(place, (len(points.x), len(there))) @ strain
+        stiffness = model.parts.stretching[interval[there], tube]
+        strains.append((there, stiffness, axial.interpolation(points.x[there], 1, tube)))
     free = replace(points, reaction=compression(still), compressed=False)
-    return Squeeze(alone(lateral, free), still, rest.axial, sparse.csr_array(change))
+    return Squeeze(alone(lateral, free), still, rest.axial, tuple(strains))
