@@ -1,9 +1,7 @@
 """Foundations in motion, followed step by step from the end of statics."""
 
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
-from itertools import pairwise
 
 import numpy as np
 
@@ -19,13 +17,12 @@ from .integrators import (
     Weighted,
     initial,
 )
+from .newton import largest
 from .stage import Effort, NoBalance, Patience
 
 HALVINGS = 12  # of a step without equilibrium
 _ALPHA = -0.05  # of HHT, which stands for the original's damped Newmark
 _RADIUS = 0.8  # of the generalised-alpha method
-_STEADY = 0.9  # of its limit: the step of central differences
-_RUNAWAY = 1e3  # lengths of the tubes from which a foundation is lost
 
 
 class End(Enum):
@@ -33,7 +30,7 @@ class End(Enum):
 
     COMPLETE = "the whole time was followed"
     NO_BALANCE = "no equilibrium was found in the smallest part of a step"
-    LOST = "the foundation is lost: it moves further than its tubes are long"
+    LOST = "the foundation is lost: it goes on moving, and the soil has no more to give"
 
 
 def integrator(dynamics: Dynamics) -> Integrator:
@@ -57,7 +54,8 @@ def integrator(dynamics: Dynamics) -> Integrator:
 class Motion:
     """A body on its way: where its deflection and its stretch (None: at rest) are.
 
-    reach: largest unknown that is expected, m; what an iteration may leave is a share of it.
+    reach: largest unknown that is expected, m; what an iteration may leave is a share of it. part:
+    the smallest one that the last step was taken in, s.
     """
 
     body: Body
@@ -65,25 +63,24 @@ class Motion:
     axial: State | None
     reach: float
     effort: Effort = field(default_factory=Effort)
-    smallest: float = np.inf
+    part: float = np.inf
 
     def step(self, method: Integrator, h: float, share: float, iterations: int) -> None:
         """Go h seconds on, in halves where there is no equilibrium otherwise.
 
         share: of the reach, what an iteration may leave. Raises NoBalance, at a state before.
         """
-        end, part = self.lateral.time + h, h
-        while self.lateral.time < end:
-            part = min(part, end - self.lateral.time)
-            if end - self.lateral.time - part < 1e-9 * h:
-                part = end - self.lateral.time
+        patience = Patience(share * self.reach, iterations)
+        self.part, parts, done = h, 1, 0
+        while done < parts:
             try:
-                self._go(method, part, Patience(share * self.reach, iterations))
+                self._go(method, h / parts, patience)
+                done += 1
             except NoBalance:
-                part *= 0.5
-                if part < h * 2.0**-HALVINGS:
+                if parts == 2**HALVINGS:
                     raise
-        self.smallest = min(self.smallest, part)
+                parts, done = 2 * parts, 2 * done
+                self.part = h / parts
 
     def _go(self, method: Integrator, h: float, patience: Patience) -> None:
         body, axial = self.body, self.axial
@@ -97,6 +94,16 @@ class Motion:
         if body.axial is not None and axial is not None:
             body.axial.commit(axial.q)
 
+    def lost(self) -> bool:
+        """Whether the foundation is lost: its tip has settled by a diameter, or it went further."""
+        model = self.body.model
+        if largest(self.lateral.q) > float(np.ptp(model.edges)):
+            return True
+        if self.axial is None:
+            return False
+        tip = self.axial.q[model.axial.system.field.node(float(model.edges[-1]))]
+        return bool(abs(tip) > model.parts.width[-1])
+
 
 def started(body: Body, time: float, reach: float) -> Motion:
     """A body at rest at the end of statics."""
@@ -108,13 +115,3 @@ def started(body: Body, time: float, reach: float) -> Motion:
     lateral = begun(body.lateral, body.rest.lateral)
     axial = None if body.axial is None else begun(body.axial, body.rest.axial)
     return Motion(body, lateral, axial, reach, effort)
-
-
-def follow(
-    motions: Sequence[Motion], method: Integrator, times: Array, share: float, iterations: int
-) -> Iterator[int]:
-    """Take all motions from time to time; yields how many times are done. Raises NoBalance."""
-    for done, (before, after) in enumerate(pairwise(times.tolist()), start=1):
-        for motion in motions:
-            motion.step(method, after - before, share, iterations)
-        yield done
