@@ -281,9 +281,14 @@ def option_fields(
     return named, flags
 
 
-def read_lines(paragraph: Paragraph, keyword: Keyword, faults: Faults) -> list[Values]:
-    """The values of each line of a keyword whose lines are all alike; one line if it is unique."""
-    row = keyword.rows[0]
+def read_lines(
+    paragraph: Paragraph, keyword: Keyword, faults: Faults, layout: int = 0
+) -> list[Values]:
+    """The values of each line of a keyword whose lines are all alike; one line if it is unique.
+
+    layout: index of the row that the lines are.
+    """
+    row = keyword.rows[layout]
     named, flags = option_fields(paragraph, keyword, row, faults)
     if not paragraph.lines and not named and not flags:
         no_data(paragraph, row, faults)
