@@ -68,7 +68,7 @@ def _known(
 def _read_series(paragraph: Paragraph, found: Histories, actions: Actions, faults: Faults) -> None:
     """Take in the series of a *TIMESERIES: each a line with its name, then its rows.
 
-    Rows of a file stand in another file than the keyword, and are never taken for a name.
+    Rows of a file stand in another file than the name, and are never taken for one.
     """
     for option in paragraph.options:
         message = f"*TIMESERIES has no option '{option.name or option.text}'"
@@ -76,13 +76,13 @@ def _read_series(paragraph: Paragraph, found: Histories, actions: Actions, fault
     if paragraph.options:
         return
     if not paragraph.lines:
-        if not _told(paragraph.place, faults):
-            no_data(paragraph, _HEAD, faults)
+        no_data(paragraph, _HEAD, faults)
         return
     groups: list[tuple[Sequence[Field], list[Sequence[Field]]]] = []
     for line in paragraph.lines:
         first = line[0]
-        if first.place.file == paragraph.place.file and not _LIKE_NUMBER.fullmatch(first.text):
+        file = groups[-1][0][0].place.file if groups else first.place.file
+        if first.place.file == file and not _LIKE_NUMBER.fullmatch(first.text):
             groups.append((line, []))
         elif groups:
             groups[-1][1].append(line)
@@ -95,7 +95,7 @@ def _read_series(paragraph: Paragraph, found: Histories, actions: Actions, fault
         name = None
         if values.sound:
             name = _known(values.cells["NAME"], values.places["NAME"], found, actions, faults)
-        if not rows and not _told(head[0].place, faults):
+        if not rows and values.sound and not _told(head[0].place, faults):
             message = f"the series of {head[0].text} has no rows"
             faults.add(head[0].place, message, f"rows are {_ROWS.layout}, in a file or below")
         series = _rows(name or "", rows, faults)

@@ -175,20 +175,17 @@ def _with_data(lines: Iterable[_Line], faults: Faults) -> Iterator[_Line]:
         if keyword:
             series = keyword[2].upper() == "TIMESERIES"
         named = _DATA_FILE.match(text) if series and not _COMMENT.match(text) else None
-        if named is None:
+        owner = named[1][keyword.end() if keyword else 0 :].strip(" \t,") if named else ""
+        if named is None or not owner:
             yield line
             continue
+        yield replace(line, end=named.end(1))
         name = named[2].strip()
         where = replace(line.place, column=named.start(2) + 1, width=max(len(name), 1))
-        owner = named[1][keyword.end() if keyword else 0 :].strip(" \t,")
-        yield replace(line, end=named.end(1))
-        if not name:
-            faults.add(where, "*TIMESERIES names no file", "write *TIMESERIES NAME, file=F")
-        elif not owner:
-            message = "*TIMESERIES names no load for this file"
-            faults.add(where, message, "write *TIMESERIES NAME, file=F")
-        else:
+        if name:
             yield from _data(Path(line.place.file).parent / name, where, faults)
+        else:
+            faults.add(where, "*TIMESERIES names no file", "write *TIMESERIES NAME, file=F")
 
 
 def _data(path: Path, where: Place, faults: Faults) -> Iterator[_Line]:
