@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from ..errors import Place
 from ..scene import Harmonic, TimeSeries
 from .actions import Actions
-from .cells import no_data, read_lines, read_row
+from .cells import no_data, plain_number, read_lines, read_row
 from .faults import Faults, first_bad, nearest
 from .keywords import KEYWORDS
 from .scan import Field, Paragraph
@@ -105,15 +105,29 @@ def _read_series(paragraph: Paragraph, found: Histories, actions: Actions, fault
 
 def _rows(name: str, lines: Sequence[Sequence[Field]], faults: Faults) -> TimeSeries | None:
     """The series of its rows; each row at fault is told, and the first time that does not rise."""
-    rows = [read_row(line, _ROWS, _TIMESERIES, line[0].place, faults) for line in lines]
-    if not rows or not all(row.sound for row in rows):
+    rows = [_row(line, faults) for line in lines]
+    sound = [row for row in rows if row is not None]
+    if not rows or len(sound) < len(rows):
         return None
-    times, factors = (tuple(row.cells[c] for row in rows) for c in ("T", "FACTOR"))
+    times, factors = zip(*sound, strict=True)
     bad = first_bad(lambda n: TimeSeries(name, times[:n], factors[:n]), len(rows))
     if bad is None:
         return TimeSeries(name, times, factors)
-    faults.add(rows[bad[0]].places["T"], bad[1].message, bad[1].remedy)
+    faults.add(lines[bad[0]][0].place, bad[1].message, bad[1].remedy)
     return None
+
+
+def _row(line: Sequence[Field], faults: Faults) -> tuple[float, float] | None:
+    """Time and factor of a row; None is told. Records are long: two numbers are taken as they are.
+
+    The others go the way of all lines, which is slower and knows what is wrong.
+    """
+    if len(line) == 2 and not any(f.name for f in line):
+        time, factor = (plain_number(f.text) for f in line)
+        if time is not None and factor is not None:
+            return time, factor
+    values = read_row(line, _ROWS, _TIMESERIES, line[0].place, faults)
+    return (values.cells["T"], values.cells["FACTOR"]) if values.sound else None
 
 
 def _told(place: Place, faults: Faults) -> bool:

@@ -97,8 +97,8 @@ def scan(path: Path, faults: Faults) -> Scanned:
         message = f"cannot read the deck {path}: {problem.reason}"
         raise UserError(Fault(message, problem.remedy)) from problem
     text = "".join(f"{line.stored}\n" for line in lines)
-    content = [field.place for line in lines for field in _raw(line.place, 0)]
-    end = content[-1] if content else Place(str(path), 1, 1)
+    content = (field.place for line in reversed(lines) for field in _raw(line.place, 0))
+    end = next(content, Place(str(path), 1, 1))
     return Scanned(tuple(_paragraphs(lines, faults)), text, end)
 
 
@@ -147,7 +147,7 @@ def _included(place: Place, chain: tuple[Path, ...], faults: Faults) -> Iterator
     if named is None:
         faults.lost_file(place, "*INCLUDE names no file", "write *INCLUDE, file=NAME")
         return
-    where = replace(place, column=named.start(1) + 1, width=len(named[1]))
+    where = place.at(named.start(1) + 1, len(named[1]))
     path = chain[-1].parent / named[1]
     try:
         cycle = any(path.samefile(known) for known in chain)
@@ -181,7 +181,7 @@ def _with_data(lines: Iterable[_Line], faults: Faults) -> Iterator[_Line]:
             continue
         yield replace(line, end=named.end(1))
         name = named[2].strip()
-        where = replace(line.place, column=named.start(2) + 1, width=max(len(name), 1))
+        where = line.place.at(named.start(2) + 1, max(len(name), 1))
         if name:
             yield from _data(Path(line.place.file).parent / name, where, faults)
         else:
@@ -278,7 +278,7 @@ def _opened(
 ) -> tuple[Paragraph, int]:
     """The paragraph that a keyword's line starts, and where its data start."""
     begin, end = len(found[1]), found.end()
-    where = replace(place, column=begin + 1, width=end - begin)
+    where = place.at(begin + 1, end - begin)
     if begin:
         faults.add(where, f"*{found[2]} is indented", "a keyword starts in column 1")
         faults.complete &= found[2].upper() != "INCLUDE"
@@ -287,7 +287,7 @@ def _opened(
     while option := _OPTION.match(place.text, end, limit):
         end = option.end()
         start = option.start(1 if option[1] else 2)
-        at = replace(place, column=start + 1, width=max(end - start, 1))
+        at = place.at(start + 1, max(end - start, 1))
         if option[2] or option[1]:
             options.append(Field(option[2], at, (option[1] or "").upper()))
         else:
@@ -303,7 +303,7 @@ def _fields(place: Place, begin: int, limit: int | None) -> tuple[tuple[Field, .
     fields = tuple(
         Field(
             found[2],
-            replace(place, column=found.start() + 1, width=found.end() - found.start()),
+            place.at(found.start() + 1, found.end() - found.start()),
             (found[1] or "").upper(),
         )
         for found in _FIELD.finditer(place.text, begin, end)
@@ -317,4 +317,4 @@ def _raw(place: Place, begin: int) -> tuple[Field, ...]:
     """The rest of a line as one field; none where it is blank."""
     text = place.text[begin:].strip()
     start = place.text.index(text, begin)
-    return (Field(text, replace(place, column=start + 1, width=len(text))),) if text else ()
+    return (Field(text, place.at(start + 1, len(text))),) if text else ()
