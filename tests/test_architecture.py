@@ -32,7 +32,8 @@ database.__init__ database.schema database.envelope database.layout database.tar
 database.write database.trust database.foundation database.read
 demand embedded capacity
 risks.__init__ risks.ranges risks.risk risks.curves risks.site risks.piles risks.bearing
-checks record describe report stiffness capacity_report query table picture figure soil_figure
+checks record describe_motion describe report stiffness capacity_report query table picture figure
+soil_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result
 run
