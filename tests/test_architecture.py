@@ -12,10 +12,10 @@ ORDER = """
 __init__ arrays errors files units tubes motion scene
 soil.__init__ soil.group
 deck.__init__ deck.faults deck.scan deck.column deck.curve_columns deck.ground_keywords
-deck.py_keyword deck.tz_keyword deck.structure_keywords deck.action_keywords deck.analysis_keywords
-deck.keywords deck.cells deck.registry deck.curves deck.ground deck.structure deck.foundations
-deck.actions deck.ties
-deck.paragraphs deck.read
+deck.py_keyword deck.tz_keyword deck.structure_keywords deck.action_keywords deck.motion_keywords
+deck.analysis_keywords deck.keywords deck.cells deck.registry deck.curves deck.ground
+deck.structure deck.foundations deck.actions deck.steps deck.histories deck.ties
+deck.paragraphs deck.dynamics deck.read
 soil.polyline soil.law soil.backbone soil.soft_clay soil.sand soil.initial_line soil.stiff_clay
 soil.weak_rock
 soil.reese_sand soil.iso_clay soil.pisa_fits soil.pisa soil.lateral soil.axial soil.layering
@@ -37,7 +37,8 @@ database.__init__ database.schema database.envelope database.layout database.tar
 database.write database.trust database.foundation database.read
 demand embedded capacity
 risks.__init__ risks.ranges risks.risk risks.curves risks.site risks.piles risks.bearing
-checks record describe report stiffness capacity_report query table picture figure soil_figure
+checks record describe_motion describe report stiffness capacity_report query table picture figure
+soil_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result
 run
