@@ -41,7 +41,7 @@ checks record describe_motion describe report stiffness capacity_report query ta
 soil_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result
-run
+motion_record run_motion run
 study.__init__ study.settings study.chart study.measure study.chart_report study.chart_figure
 cli.__init__ cli.common cli.podeep cli.chart cli.solve
 """.split()

@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 import numpy as np
+from scipy.linalg import blas
 
 from ..arrays import Array
 from ..scene import Dynamics
@@ -17,6 +18,7 @@ from .integrators import (
     Weighted,
     initial,
 )
+from .moving import Moving
 from .newton import largest
 from .stage import Effort, NoBalance, Patience
 
@@ -55,7 +57,8 @@ class Motion:
     """A body on its way: where its deflection and its stretch (None: at rest) are.
 
     reach: largest unknown that is expected, m; what an iteration may leave is a share of it. part:
-    the smallest one that the last step was taken in, s.
+    the smallest one that the last step was taken in, s. work: of the loads since the start, J.
+    force: the largest that was met where balance was checked, N.
     """
 
     body: Body
@@ -64,6 +67,8 @@ class Motion:
     reach: float
     effort: Effort = field(default_factory=Effort)
     part: float = np.inf
+    work: float = 0.0
+    force: float = 0.0
 
     def step(self, method: Integrator, h: float, share: float, iterations: int) -> None:
         """Go h seconds on, in halves where there is no equilibrium otherwise.
@@ -89,10 +94,26 @@ class Motion:
             if body.squeeze is not None:
                 body.lateral.press(body.squeeze.band(axial.q))
         lateral = method.step(body.lateral, self.lateral, h, patience, self.effort)
+        self._accept(body.lateral, self.lateral, lateral)
+        if body.axial is not None and self.axial is not None and axial is not None:
+            self._accept(body.axial, self.axial, axial)
         self.axial, self.lateral = axial, lateral
-        body.lateral.commit(lateral.q)
-        if body.axial is not None and axial is not None:
-            body.axial.commit(axial.q)
+
+    def _accept(self, equations: Moving, before: State, after: State) -> None:
+        """Commit a step; the work of its loads is that of their mean."""
+        load = equations.load(before.time) + equations.load(after.time)
+        self.work += 0.5 * blas.ddot(load, after.q - before.q)
+        equations.commit(after.q)
+
+    def imbalance(self) -> float:
+        """Largest force out of balance over the largest force so far."""
+        pairs = (self.body.lateral, self.lateral), (self.body.axial, self.axial)
+        left = 0.0
+        for equations, state in pairs:
+            if equations is not None and state is not None:
+                out, size = out_of_balance(equations, state)
+                self.force, left = max(self.force, size), max(left, out)
+        return left / self.force if self.force else 0.0
 
     def lost(self) -> bool:
         """Whether the foundation is lost: its tip has settled by a diameter, or it went further."""
@@ -103,6 +124,21 @@ class Motion:
             return False
         tip = self.axial.q[model.axial.system.field.node(float(model.edges[-1]))]
         return bool(abs(tip) > model.parts.width[-1])
+
+
+def out_of_balance(equations: Moving, state: State) -> tuple[float, float]:
+    """Largest of P - M a - C v - F in a committed state, and the largest of these, N."""
+    velocity = state.velocity
+    forces = np.array(
+        [
+            equations.load(state.time),
+            -equations.mass_times(state.acceleration),
+            -equations.damping_times(velocity),
+            -equations.internal(state.q, velocity if equations.feels_velocity else None),
+        ]
+    )
+    forces[:, equations.held] = 0.0
+    return float(np.abs(forces.sum(axis=0)).max()), float(np.abs(forces).max())
 
 
 def started(body: Body, time: float, reach: float) -> Motion:

@@ -12,6 +12,7 @@ from ..beam.band import Times, band_times, dense, times, without
 from ..model.assemble import Problem
 from ..model.system import Reached, System
 
+_LOADS = 4  # times whose loads are kept: a step asks for those at its ends
 _KEPT = 8  # weights of mass and damping whose matrices are kept: steps are halved and doubled
 
 #: Factors of the loads at a time, s: values, first and second derivatives, (names,) each.
@@ -68,7 +69,7 @@ class Moving:
         self.origin, self.base = origin, base
         self._factors = factors
         self._mass, self._damping = times(mass), times(damping)
-        self._time, self._load = np.nan, np.zeros(self.system.size)
+        self._loads: dict[float, Array] = {}
         self._kept: dict[tuple[float, float], _Weighed] = {}
         self._pressed: Array | None = None
         self._frozen: Reached | None = None
@@ -79,9 +80,12 @@ class Moving:
         return self.system.held
 
     def load(self, time: float) -> Array:
-        if time != self._time:
-            self._time, self._load = time, self.problem.load(self._factors(time)[0])
-        return self._load
+        found = self._loads.get(time)
+        if found is None:
+            if len(self._loads) == _LOADS:
+                del self._loads[next(iter(self._loads))]
+            found = self._loads[time] = self.problem.load(self._factors(time)[0])
+        return found
 
     def given(self, time: float) -> tuple[Array, Array, Array]:
         value, rate, second = (self.problem.prescribed(f)[self.held] for f in self._factors(time))

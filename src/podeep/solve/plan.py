@@ -7,6 +7,7 @@ import numpy as np
 
 from ..errors import AnalysisFailed
 from ..model.assemble import Model
+from ..model.results import Results
 from ..scene import Dynamics, Foundation, Harmonic, Scene, Steps, TimeSeries
 from .analysis import factors_of, limits, rebuilt, run, solve
 from .body import Body, body
@@ -27,10 +28,14 @@ _TRIALS = 3
 
 @dataclass(frozen=True, eq=False)
 class Begun:
-    """A foundation at the end of statics: its model, the state, and how far it may move, m."""
+    """A foundation at the end of statics: its model and the state there.
+
+    peak: under its largest loads in statics, which the mesh suits. reach: how far it may move, m.
+    """
 
     model: Model
     rest: State
+    peak: Results
     reach: float
 
 
@@ -51,7 +56,7 @@ def begun(scene: Scene, foundation: Foundation) -> Begun:
             f"{foundation.name}: statics has no equilibrium, so there is no state to move from"
         )
     moved = [largest(q) for s in (*largest_loads.states, *states) for q in (s.lateral, s.axial)]
-    return Begun(model, states[-1], max(moved, default=0.0))
+    return Begun(model, states[-1], largest_loads.results, max(moved, default=0.0))
 
 
 def peaks(scene: Scene) -> Steps:
