@@ -4,6 +4,7 @@ from ..motion import METHODS
 from .column import NOT_NEGATIVE, POSITIVE, Bounds, Column, Keyword, Row
 
 _RATIO = Bounds(0.0, 1.0, open=True)
+_FREQUENCY = Bounds(1e-6, 1e6)
 _COUNT = Bounds(1, 100000)
 _NAME = Column("NAME", "load or displacement", key="name", kind="word")
 
@@ -65,8 +66,8 @@ DAMPING = Keyword(
             "a ratio at two frequencies",
             (
                 Column("RATIO", "share of critical damping at F1 and at F2", "-", Bounds(0.0, 1.0)),
-                Column("F1", "frequency", "Hz", POSITIVE),
-                Column("F2", "frequency", "Hz", POSITIVE),
+                Column("F1", "frequency", "Hz", _FREQUENCY),
+                Column("F2", "frequency", "Hz", _FREQUENCY),
             ),
         ),
         Row(
