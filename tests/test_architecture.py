@@ -31,8 +31,8 @@ model.recover model.results model.moved model.coupling model.effects model.grid
 solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.statics solve.loaded
 solve.bordered solve.continuation solve.path solve.together solve.prolong solve.across solve.refine
 solve.accuracy solve.analysis solve.diagnosis
-solve.equations solve.stage solve.integrators solve.drive solve.moving solve.body solve.dynamics
-solve.simulate solve.plan
+solve.equations solve.stage solve.integrators solve.drive solve.moving solve.body solve.starts
+solve.dynamics solve.simulate solve.plan
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read
 demand embedded capacity
