@@ -55,6 +55,7 @@ class Setting:
     degree: int
     step: float
     still: float
+    dense: float = 0.0  # of the points of curves in OpenSees, as in `opensees_pile.spring`
 
     @property
     def name(self) -> str:
@@ -141,7 +142,7 @@ def build_opensees(setting: Setting) -> int:
         for k, (z, present) in enumerate(sides):
             if present:
                 reaction = profile.lateral(np.array([abs(z)]), np.array([DIAMETER]))
-                spring(material := material + 1, reaction, 0.5 * h, 2.0)
+                spring(material := material + 1, reaction, 0.5 * h, 2.0, setting.dense)
                 link = 200_000 + 2 * i + k
                 ops.element("zeroLength", link, ground, i, "-mat", material, "-dir", 1)
     mass_factor, stiffness_factor = rayleigh()
@@ -176,10 +177,11 @@ OURS = [
     for still in (3e-4, 1e-4)
 ]
 THEIRS = [
-    Setting(n, 0, 1.0 / rate, still)
+    Setting(n, 0, 1.0 / rate, still, dense)
     for n in (56, 80)
     for rate in (62.5, 80, 100)
     for still in (1e-2, 1e-3)
+    for dense in (7.0, 9.0)
 ]
 
 
@@ -195,7 +197,9 @@ def fastest(asked: float, settings: list[Setting], *, us: bool) -> tuple[Setting
             head = build_opensees(setting)
             spent = cpu(lambda: found.append(theirs(setting, head)))  # noqa: B023
         miss = error(found[0], setting.step)
-        print(f"    {setting.name}, still {setting.still:g}: error {miss:.1e}, {spent:.2f} s")
+        print(
+            f"    {setting.name}, still {setting.still:g}, dense {setting.dense:g}: error {miss:.1e}, {spent:.2f} s"
+        )
         if miss <= asked:
             good.append((spent, setting, miss))
     if not good:
