@@ -27,8 +27,7 @@ soil.spudcan_yield
 beam.__init__ beam.shapes beam.strings beam.rows beam.field beam.band
 model.__init__ model.needs model.mesh model.weave model.compression model.contact model.points
 model.moduli model.system model.many model.footing model.holds model.weight model.around
-model.assemble
-model.inertia
+model.assemble model.inertia model.remember
 model.recover model.results model.moved model.coupling model.effects model.grid
 solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.statics solve.loaded
 solve.bordered solve.continuation solve.path solve.together solve.prolong solve.across solve.refine

@@ -197,9 +197,8 @@ def fastest(asked: float, settings: list[Setting], *, us: bool) -> tuple[Setting
             head = build_opensees(setting)
             spent = cpu(lambda: found.append(theirs(setting, head)))  # noqa: B023
         miss = error(found[0], setting.step)
-        print(
-            f"    {setting.name}, still {setting.still:g}, dense {setting.dense:g}: error {miss:.1e}, {spent:.2f} s"
-        )
+        how = f"still {setting.still:g}, dense {setting.dense:g}"
+        print(f"    {setting.name}, {how}: error {miss:.1e}, {spent:.2f} s")
         if miss <= asked:
             good.append((spent, setting, miss))
     if not good:

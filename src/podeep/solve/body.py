@@ -14,6 +14,7 @@ from ..model.compression import compression
 from ..model.coupling import pressing, rubs
 from ..model.inertia import mass_band
 from ..model.points import Points
+from ..model.remember import remembered
 from ..model.system import System
 from ..scene import Scene
 from ..soil.profile import Profile, profile_of
@@ -86,9 +87,11 @@ def body(scene: Scene, static: Model, rest: State) -> Body:
             at_rest = getattr(plain, which).system
             origin, base = q, at_rest.softened(system.softening).internal(q)
         mass = mass_band(scene, model, which)
-        return Moving(
-            problem, mass, damping(scene, model, problem, mass, which), pushes, origin, base
-        )
+        lossy = damping(scene, model, problem, mass, which)
+        memory = remembered(system, scene.numerics.hysteresis, foundation.name)
+        if memory is not None:
+            memory.commit(system.displacement(q - origin)[:, 0])
+        return Moving(problem, mass, lossy, pushes, origin, base, memory)
 
     lateral = moving("lateral")
     axial = moving("axial") if moves_along(scene, model, pushes) else None
