@@ -67,15 +67,20 @@ def lateral_vectors(scene: Scene, foundation: Foundation) -> list[tuple[float, f
             pair = imposed.setdefault((d.name, d.tube, d.elevation, rotation), [0.0, 0.0])
             pair[0] += {"X": d.value, "RY": -d.value}.get(d.dof, 0.0)
             pair[1] += {"Y": d.value, "RX": d.value}.get(d.dof, 0.0)
+    for start in scene.starts:
+        if start.tube in foundation.tubes and start.dof in ("X", "Y", "RX", "RY"):
+            amount = (-1.0 if start.dof == "RY" else 1.0) * (start.value or start.velocity)
+            vectors.append((amount, 0.0) if start.dof in ("X", "RY") else (0.0, amount))
     vectors.extend((pair[0], pair[1]) for pair in imposed.values())
     return [v for v in vectors if v != (0.0, 0.0)]
 
 
 def axially_driven(scene: Scene, foundation: Foundation) -> bool:
-    """Whether a load or an imposed displacement drives the tubes along z."""
+    """Whether a load, an imposed displacement or where they start drives the tubes along z."""
     loads = any(load.force[2] for load in scene.loads if load.tube in foundation.tubes)
     moved = (d for d in scene.displacements if d.tube in foundation.tubes)
-    return loads or any(d.value for d in moved if d.dof == "Z")
+    starts = any(s.dof == "Z" for s in scene.starts if s.tube in foundation.tubes)
+    return loads or starts or any(d.value for d in moved if d.dof == "Z")
 
 
 def common_axis(vectors: list[tuple[float, float]]) -> float | None:

@@ -56,9 +56,9 @@ def integrator(dynamics: Dynamics) -> Integrator:
 class Motion:
     """A body on its way: where its deflection and its stretch (None: at rest) are.
 
-    reach: largest unknown that is expected, m; what an iteration may leave is a share of it. part:
-    the smallest one that the last step was taken in, s. work: of the loads since the start, J.
-    force: the largest that was met where balance was checked, N.
+    reach: largest unknown so far or expected, m; what an iteration may leave is a share of it.
+    part: the smallest one that the last step was taken in, s. work: of the loads since the start,
+    J. force: the largest that was met where balance was checked, N.
     """
 
     body: Body
@@ -75,6 +75,8 @@ class Motion:
 
         share: of the reach, what an iteration may leave. Raises NoBalance, at a state before.
         """
+        way = largest(self.lateral.q) + h * largest(self.lateral.velocity)
+        self.reach = max(self.reach, way)
         patience = Patience(share * self.reach, iterations)
         self.part, parts, done = h, 1, 0
         while done < parts:
