@@ -23,12 +23,13 @@ soil.lateral_capacity soil.axial_capacity soil.required_length soil.spudcan soil
 soil.spudcan_yield
 beam.__init__ beam.shapes beam.strings beam.field beam.band
 model.__init__ model.needs model.mesh model.weave model.compression model.contact model.points
+model.springs
 model.system model.many model.footing model.holds model.weight model.around model.assemble
 model.inertia
 model.recover model.results model.coupling model.effects model.grid
 solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.statics solve.loaded
 solve.bordered solve.continuation solve.path solve.together solve.prolong solve.across solve.refine
-solve.accuracy solve.analysis solve.diagnosis
+solve.accuracy solve.analysis solve.diagnosis solve.eigen solve.modes
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read
 demand embedded capacity

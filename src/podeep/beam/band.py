@@ -62,6 +62,16 @@ def band_times(band: Array, x: Array) -> Array:
     return np.asarray(blas.dsbmv(band.shape[0] - 1, 1.0, band, x, lower=1))
 
 
+def whole_matrix(band: Array) -> Array:
+    """A symmetric matrix from its lower band, shape (n, n)."""
+    width, n = band.shape
+    whole = np.zeros((n, n))
+    for d in range(min(width, n)):
+        rows = np.arange(d, n)
+        whole[rows, rows - d] = whole[rows - d, rows] = band[d, : n - d]
+    return whole
+
+
 def without(band: Array, dofs: Index) -> Array:
     """A symmetric matrix whose rows and columns of some unknowns are zero, (width, n)."""
     width, n = band.shape

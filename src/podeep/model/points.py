@@ -1,4 +1,4 @@
-"""Where reactions act on a field, and what holds single unknowns of it."""
+"""Where reactions act on a field."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -49,23 +49,10 @@ class Points:
         matrices = [field.motion(self.x, self.motion, self.tube)]
         if self.against is not None:
             matrices.append(-field.motion(self.x, self.motion, self.against))
-        split = [
-            (m.indices.reshape(len(self.x), -1), m.data.reshape(len(self.x), -1)) for m in matrices
-        ]
+        shape = len(self.x), field.local
+        split = [(m.indices.reshape(shape), m.data.reshape(shape)) for m in matrices]
         dofs, shares = (np.concatenate(parts, axis=1) for parts in zip(*split, strict=True))
         return dofs.astype(np.intp), shares
-
-
-@dataclass(frozen=True)
-class Spring:
-    """A linear spring to ground at one unknown, N/m in the field's scaling.
-
-    softens: its stiffness is multiplied by the system's `softening`.
-    """
-
-    dof: int
-    stiffness: float
-    softens: bool = False
 
 
 def stacked(rows: Sequence[tuple[Index, Array]], size: int) -> sparse.csr_array:

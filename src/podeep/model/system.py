@@ -21,12 +21,15 @@ from ..arrays import Array, Index
 from ..beam.band import add_product, band_place, bandwidth, element_band, scatter_matrix
 from ..beam.field import Field
 from ..soil.reaction import Reaction
-from .points import Points, Spring, stacked
+from .points import Points, stacked
+from .springs import Spring, springs_of
 
 _FAR = 0.1  # displacement at which any soil is taken to have its capacity, m: for directions alone
 _FURTHEST = 10.0  # displacement at which a contact is surely closed, m
 _FIRST = 1e-3  # displacement whose secants take a state from rest, m
 _STEEP = 100.0  # times these secants from which the tangent at rest counts as infinite
+_TINY = 1e-6  # displacement whose secant the tangent at rest exceeds by far if it is infinite, m
+_INFINITE = 2.0  # times that secant
 NOTHING = 1e-30  # least distance of two components, m: there the secant is the tangent
 _SHARE = 1e-4  # of the secant: least modulus where a tangent has to be made positive definite
 _DENSE = 40_000  # entries below which a dense product beats a sparse one (call overhead)
@@ -52,7 +55,8 @@ class System:
         self.weight = weight
         rows = [p.rows(field) for p in points]
         shape = stacked(rows, field.size)
-        self._build_tangent(rows, springs)
+        self.springs = springs_of(springs, self.size)
+        self._build_tangent(rows)
         weighted = sparse.csr_array((shape * weight[:, None]).T)
         modes, stiffness = field.strain_modes
         stress = sparse.csr_array((modes * stiffness[:, None]).T)
@@ -64,15 +68,8 @@ class System:
         self._capacity_moduli = np.concatenate([np.zeros(0), *moduli])
         self.softening = 1.0
         self._at: Array | None = None
-        self._sprung, self._springs = bool(springs), np.zeros(self.size)
-        np.add.at(self._springs, [s.dof for s in springs], [s.stiffness for s in springs])
-        soft = [s for s in springs if s.softens]
-        self._soft = np.zeros(self.size)
-        np.add.at(self._soft, [s.dof for s in soft], [s.stiffness for s in soft])
 
-    def _build_tangent(
-        self, points: Sequence[tuple[Index, Array]], springs: Sequence[Spring]
-    ) -> None:
+    def _build_tangent(self, points: Sequence[tuple[Index, Array]]) -> None:
         field, m = self.field, self.components
         coupled = [field.dofs, *(dofs for dofs, _ in points if len(dofs))]
         self.width = max(bandwidth(dofs) for dofs in coupled) * m
@@ -82,8 +79,7 @@ class System:
 
         shape = (field.size, m)
         linear = element_band(field.dofs, field.element_stiffness, self.width, shape)
-        for spring in springs:
-            linear[spring.dof * self.width] += spring.stiffness
+        self.springs.add_to(linear, self.width)
         self.diagonal = linear[:: self.width].copy()
         keep = self._kept(free)
         linear *= keep
@@ -159,16 +155,16 @@ class System:
 
     def outer_forces(self, q: Array, load: Array) -> Array:
         """Loads and forces of the springs to ground at each unknown, N in the field's scaling."""
-        return np.asarray(np.maximum(np.abs(load), np.abs(self._springs * q)))
+        return np.asarray(np.maximum(np.abs(load), np.abs(self.springs.forces(q))))
 
     def softened(self, factor: float) -> "System":
         """The same system with the springs that soften at a share of their full stiffness."""
         if factor == self.softening:
             return self
         other = copy(self)
-        change = (factor - self.softening) * self._soft
+        change = (factor - self.softening) * self.springs.soft
         change[self.held] = 0.0
-        other.softening, other._springs = factor, self._springs + change
+        other.softening, other.springs = factor, self.springs.stiffer(change)
         other._at = None
         other._linear = self._linear.copy()
         other._linear[:: self.width] += change
@@ -234,8 +230,8 @@ class System:
             seen[:count] *= across[:, None]
         self._at, self._state = q, (u, distance, force, modulus, across)
         inner: Array = self._balance.dot(seen).ravel()
-        if self._sprung:
-            inner += self._springs * q
+        if self.springs.any:
+            inner += self.springs.forces(q)
         return inner
 
     def solve(self, right: Array) -> Array | None:
@@ -314,6 +310,22 @@ class System:
         """Lower band of the exact tangent at the last `internal`, held unknowns apart from it."""
         return self._band(self._state[3])
 
+    def blunted(self, displacement: float) -> bool:
+        """Make the tangent at the last `internal` a secant where it has no bound; whether it had.
+
+        A reaction whose slope at rest is infinite is one whose tangent is far steeper than its
+        secant at a micrometre. Its secant at the given displacement (m) takes its place.
+        """
+        u, distance, force, modulus, across = self._state
+        places = np.outer((_TINY, displacement), np.ones(self._count))
+        near, far = np.abs(self.react(places)[0]) / places
+        steep = modulus > _INFINITE * near
+        modulus = np.where(steep, far, modulus)
+        if across is not None:
+            across = np.where(across > _INFINITE * near, far, across)
+        self._state = u, distance, force, modulus, across
+        return bool(steep.any())
+
     def tangent_times(self, move: Array) -> Array:
         """What the last `internal` grows by along a small move of all unknowns, held ones too."""
         modulus, count = self._state[3], self._count
@@ -326,7 +338,7 @@ class System:
             u, v = seen[:count].T.copy()
             seen[:count, 0] = xx * u + xy * v
             seen[:count, 1] = xy * u + yy * v
-        return np.asarray((self._balance @ seen).ravel() + self._springs * move)
+        return np.asarray((self._balance @ seen).ravel() + self.springs.forces(move))
 
     def _vector_moduli(self, along: Array, across: Array | None) -> Array:
         """xx, yy and xy moduli, one after the other, of a reaction along the displacement."""

@@ -155,9 +155,9 @@ def _unresolved(
         return own if leader is None else own * _norm(_resistance(problem, states, leader(x)))
 
     known, true = resistance(gauss), resistance(checks)
-    steps, n = len(true), len(intervals)
-    true = true.reshape(steps, -1, n, len(xi))
-    known = known.reshape(steps, -1, n, count)
+    shape = (*true.shape[:2], len(intervals))
+    true = true.reshape(*shape, len(xi))
+    known = known.reshape(*shape, count)
     error = np.abs(known @ gauss_interpolation(xi, count).T - true)
     half = 0.5 * lengths
     missing = trapezoid(error, xi).sum(axis=1) * half

@@ -1,0 +1,312 @@
+"""Natural frequencies and mode shapes about a static state.
+
+    K phi = omega^2 M phi
+
+K is the tangent of soil, springs and, with P-delta, normal force at that state, M the mass of
+tubes and of what stands on them. The mesh of the statics is halved until no frequency asked for
+changes by more than the accuracy.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from math import inf, pi, sqrt
+
+import numpy as np
+from scipy.linalg import LinAlgError
+
+from ..arrays import Array
+from ..beam.band import band_times, without
+from ..errors import AnalysisFailed, Fault, UserError
+from ..model.assemble import Model
+from ..model.coupling import pressed, rubbed, rubs
+from ..model.effects import PDELTA
+from ..model.inertia import mass_band
+from ..model.needs import Decision, isotropic, lateral_vectors
+from ..model.system import System
+from ..scene import Foundation, Scene
+from .accuracy import unestimated
+from .analysis import Solved, factors_of, first_model, limits, rebuilt, run
+from .diagnosis import explain
+from .eigen import lowest
+from .statics import State
+
+SECANT = 1e-3  # displacement whose secant takes the place of an infinite slope at rest, m
+_PLACES = 41  # depths of each tube at which shapes are given
+_ROUNDS = 8  # of refinement
+_MOST_ELEMENTS = 1000
+_RIGID = 1e-7  # of the shift: a lesser eigenvalue is that of a motion that nothing resists
+_STRAIGHT = 0.01  # degrees between a direction and an axis that bears its name
+
+
+@dataclass(frozen=True, eq=False)
+class Mode:
+    """One natural mode.
+
+    kind: "lateral", with its direction where it has one, or "axial". frequency: Hz, 0 of a tube
+    that moves as nothing holds it. error: estimated, relative. participating: effective mass in a
+    shake of the ground along the mode, kg. mass: modal mass, kg, with the largest displacement
+    taken as 1. shape: displacement of each tube at the depths of `Modes`, (depths,).
+    """
+
+    kind: str
+    frequency: float
+    error: float
+    participating: float
+    mass: float
+    shape: tuple[Array, ...]
+
+    @property
+    def period(self) -> float:
+        """s"""
+        return 1.0 / self.frequency if self.frequency else inf
+
+
+@dataclass(frozen=True, eq=False)
+class Modes:
+    """The lowest modes of a foundation, by rising frequency.
+
+    depths: of each tube, m below the mudline. lateral_mass, axial_mass: all there is, kg.
+    accuracy: relative, what was asked for. notes: what has to be known of them.
+    """
+
+    foundation: Foundation
+    step: int
+    modes: tuple[Mode, ...]
+    depths: tuple[Array, ...]
+    lateral_mass: float
+    axial_mass: float
+    elements: int
+    accuracy: float
+    notes: tuple[str, ...]
+
+    @property
+    def error(self) -> float:
+        return max((m.error for m in self.modes), default=0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Family:
+    """Modes that do not mix with others: unknowns `part` of a system, and the mass of all.
+
+    lengthwise: of the stretch.
+    """
+
+    system: System
+    mass: Array
+    part: slice
+    lengthwise: bool
+
+    def solved(self, count: int) -> tuple[Array, Array]:
+        """Squares of circular frequencies, (n,), and unknowns, (n, size); both by rising value."""
+        size, step = self.system.size, self.part.step or 1
+        stiffness = self.system.tangent()[::step, self.part]
+        mass = without(self.mass, self.system.held)[::step, self.part]
+        found, vectors = lowest(stiffness, mass, count, self.shift)
+        states = np.zeros((len(found), size))
+        states[:, self.part] = vectors
+        weight = [float(q @ band_times(self.mass, q)) for q in states]
+        energy = [float(q @ self.system.tangent_times(q)) for q in states]
+        squares = np.array(energy) / np.array(weight)
+        squares[np.abs(squares) < _RIGID * self.shift] = 0.0
+        return squares, states
+
+    @property
+    def shift(self) -> float:
+        """A square of a circular frequency of the tubes without soil, in its order, 1/s2."""
+        field, length = self.system.field, self.system.length
+        power = 1 if self.lengthwise else 3
+        return float(np.mean(field.stiffness) / length**power / self.total)
+
+    def translation(self, direction: Array) -> Array:
+        """Unknowns of a motion of 1 m of all tubes along a direction, (components,)."""
+        field = self.system.field
+        shift = np.zeros((field.size, self.system.components))
+        shift[field.dofs[:, [0, -field.nodal]]] = direction
+        return shift.ravel()
+
+    @property
+    def total(self) -> float:
+        """All mass that moves this way, kg."""
+        first = np.eye(self.system.components)[0]
+        rigid = self.translation(first)
+        return float(rigid @ band_times(self.mass, rigid))
+
+
+def modes(
+    scene: Scene, foundation: Foundation, count: int, step: int = 0, secant: float = SECANT
+) -> Modes:
+    """The `count` lowest modes about the state of a step; step 0 is at rest.
+
+    secant: displacement (m) whose secant stands for a reaction with an infinite slope at rest.
+    Raises UserError where there is no such step or no mass, AnalysisFailed where the step has no
+    equilibrium or is not stable.
+    """
+    steps = len(scene.steps.factors)
+    if not 0 <= step <= steps:
+        raise UserError(Fault(f"there is no step {step}", f"the deck has steps 0 to {steps}"))
+    model = suited(scene, foundation, step)
+    while model.elements < 2 * count and scene.numerics.elements is None:
+        model = rebuilt(scene, model, halved(model.edges), 0)
+    coarse = found_on(scene, model, count, step, secant)
+    for round_ in range(_ROUNDS):
+        finer = rebuilt(scene, model, halved(model.edges), 0)
+        fine = with_errors(found_on(scene, finer, count, step, secant), coarse)
+        if scene.numerics.elements is not None:
+            return with_errors(coarse, fine)
+        if fine.error <= fine.accuracy or 2 * finer.elements > _MOST_ELEMENTS:
+            break
+        if round_ and fine.error > coarse.error:  # rounding, which finer elements add to
+            return coarse
+        model, coarse = finer, fine
+    return fine
+
+
+def halved(edges: Array) -> Array:
+    """Edges with one more in the middle of each element."""
+    return np.sort(np.concatenate([edges, 0.5 * (edges[:-1] + edges[1:])]))
+
+
+def with_errors(one: Modes, other: Modes) -> Modes:
+    """Modes with their changes from those on another mesh as errors."""
+    errors = []
+    for mode, before in zip(one.modes, other.modes, strict=False):
+        scale = max(mode.frequency, before.frequency)
+        errors.append(abs(mode.frequency - before.frequency) / scale if scale else 0.0)
+    errors += [1.0] * (len(one.modes) - len(errors))
+    told = tuple(replace(m, error=e) for m, e in zip(one.modes, errors, strict=True))
+    return replace(one, modes=told)
+
+
+def suited(scene: Scene, foundation: Foundation, step: int) -> Model:
+    """The first model that has the modes in both planes, where these differ, and P-delta.
+
+    Raises UserError where nothing has a mass.
+    """
+    model = first_model(scene, foundation)
+    bent = step > 0 and bool(lateral_vectors(scene, foundation))
+    alike = isotropic(scene, foundation) and not bent
+    odd = model.lateral.system.points[0].reaction.odd
+    if scene.numerics.components is None and model.needs.components == 1 and odd and not alike:
+        both = replace(scene, numerics=replace(scene.numerics, components=2))
+        model = first_model(both, foundation)
+    if scene.numerics.second_order is None and model.needs.axial:
+        told = model.needs.told(Decision(PDELTA, "the normal force of the step"))
+        needs = replace(told, second_order=True)
+        model = rebuilt(scene, replace(model, needs=needs), model.edges, 0)
+    if not mass_band(scene, model, "lateral").any():
+        raise UserError(
+            Fault(f"{foundation.name} has no mass", "give RHO or MASS= in *CASING, or *MASS")
+        )
+    return model
+
+
+def state_of(scene: Scene, model: Model, step: int) -> State:
+    """The equilibrium of a step. Raises AnalysisFailed where there is none."""
+    states, failure, interrupted = run(model, factors_of(scene)[:step], limits(scene))
+    if interrupted:
+        raise KeyboardInterrupt
+    if failure is not None:
+        nothing = (unestimated(len(states)),) * 2
+        solved = Solved(model, tuple(states), nothing, failure, scene.numerics.accuracy)
+        raise AnalysisFailed(explain(solved, failure, scene.steps.names))
+    return states[-1]
+
+
+def families(scene: Scene, model: Model, state: State, secant: float) -> tuple[list[Family], bool]:
+    """What does not mix, with tangents at a state, and whether secants had to be taken."""
+    lateral = model.lateral.system.softened(state.softening)
+    if model.needs.second_order:
+        lateral = pressed(model, state.axial, state.lateral, lateral)
+    axial = model.axial.system
+    if rubs(axial):
+        axial = rubbed(model, state.lateral, axial)
+    lateral.internal(state.lateral)
+    axial.internal(state.axial)
+    steep = [system.blunted(secant) for system in (lateral, axial)]
+    mass = mass_band(scene, model, "lateral")
+    stretch = Family(axial, mass_band(scene, model, "axial"), slice(None), lengthwise=True)
+    parts = [slice(None)]
+    if lateral.components == 2:
+        across = slice(1, None, 2)  # diagonals between components
+        if not (lateral.tangent()[across].any() or mass[across].any()):
+            parts = [slice(0, None, 2), slice(1, None, 2)]
+    return [*(Family(lateral, mass, part, False) for part in parts), stretch], any(steep)
+
+
+def found_on(scene: Scene, model: Model, count: int, step: int, secant: float) -> Modes:
+    """The modes on the mesh of a model, without an estimate of their errors."""
+    every, steep = families(scene, model, state_of(scene, model, step), secant)
+    tubes = (scene.tubes[t] for t in model.foundation.tubes)
+    mudline = model.foundation.mudline
+    depths = tuple(np.linspace(mudline - t.top, mudline - t.tip, _PLACES) for t in tubes)
+    found: list[tuple[float, Family, Array]] = []
+    for family in every:
+        try:
+            squares, states = family.solved(count)
+        except LinAlgError:
+            squares, states = np.array([-inf]), np.zeros((1, family.system.size))
+        if squares.min() < 0.0:
+            raise AnalysisFailed(
+                f"{model.foundation.name}: step {step} is not stable: a motion from it grows "
+                "instead of coming back, so it has no frequency"
+            )
+        found += [(float(s), family, q) for s, q in zip(squares, states, strict=True)]
+    found.sort(key=lambda one: one[0])
+    made = [mode_of(model, *one, depths) for one in found[:count]]
+    return Modes(
+        *(model.foundation, step, tuple(made), depths, every[0].total, every[-1].total),
+        *(model.elements, scene.numerics.accuracy, tuple(notes(scene, model, secant, steep=steep))),
+    )
+
+
+def mode_of(
+    model: Model, square: float, family: Family, q: Array, depths: tuple[Array, ...]
+) -> Mode:
+    """A mode from its unknowns, normalised and named."""
+    system, tubes = family.system, range(len(depths))
+    unknowns = q.reshape(-1, system.components)
+    element = system.field.edges
+    fine = halved(halved(element))
+    moved = np.concatenate([system.field.interpolation(fine, 0, t) @ unknowns for t in tubes])
+    place = int(np.argmax(np.linalg.norm(moved, axis=1)))
+    direction = np.linalg.svd(moved, full_matrices=False)[2][0]
+    direction *= np.sign(direction[np.argmax(np.abs(direction))])
+    scale = 1.0 / float(moved[place] @ direction)
+    mass = float(q @ band_times(family.mass, q))
+    shared = float(q @ band_times(family.mass, family.translation(direction)))
+    shape = tuple(
+        scale * (system.field.interpolation(x, 0, t) @ unknowns @ direction)
+        for t, x in zip(tubes, depths, strict=True)
+    )
+    kind = "axial" if family.lengthwise else f"lateral{named(model, direction)}"
+    return Mode(kind, sqrt(square) / (2.0 * pi), 0.0, shared**2 / mass, mass * scale**2, shape)
+
+
+def named(model: Model, direction: Array) -> str:
+    """The direction of a lateral mode in words; nothing where all directions are alike."""
+    if model.needs.components == 1:
+        return ""
+    angle = float(np.degrees(np.arctan2(direction[1], direction[0])))
+    for name, axis in ((" x", 0.0), (" y", 90.0), (" x", 180.0), (" y", -90.0)):
+        if abs(angle - axis) < _STRAIGHT:
+            return name
+    return f" {angle % 180.0:.0f} deg"
+
+
+def notes(scene: Scene, model: Model, secant: float, *, steep: bool) -> Iterator[str]:
+    """What has to be known of the modes."""
+    if model.needs.components == 1:
+        axis = model.needs.lateral_axis or 0.0
+        if isotropic(scene, model.foundation):
+            yield "each lateral mode is there in every vertical plane"
+        else:
+            yield f"lateral modes are those in the plane at {axis:g} degrees from x"
+    if steep:
+        yield (
+            f"reaction curves with an infinite slope at rest act by their secants at {secant:g} m: "
+            "frequencies depend on how far the tubes move (--secant)"
+        )
+    if model.needs.second_order:
+        yield "the normal force of the step works on the slope (P-delta)"
+    if model.needs.shear:
+        yield "tubes are soft in shear and have rotary inertia"
