@@ -29,17 +29,19 @@ model.inertia
 model.recover model.results model.coupling model.effects model.grid
 solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.statics solve.loaded
 solve.bordered solve.continuation solve.path solve.together solve.prolong solve.across solve.refine
-solve.accuracy solve.analysis solve.diagnosis solve.eigen solve.modes
+solve.accuracy solve.analysis solve.diagnosis solve.eigen
+solve.families solve.modes
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read
 demand embedded capacity
 risks.__init__ risks.ranges risks.risk risks.curves risks.site risks.piles risks.bearing
 checks record describe report stiffness capacity_report query table picture figure soil_figure
+modes_report modes_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result
 run
 study.__init__ study.settings study.chart study.measure study.chart_report study.chart_figure
-cli.__init__ cli.common cli.podeep cli.chart cli.solve
+cli.__init__ cli.common cli.podeep cli.chart cli.modes cli.solve
 """.split()
 
 FILES = sorted(SOURCE.rglob("*.py"))

@@ -313,17 +313,18 @@ class System:
     def blunted(self, displacement: float) -> bool:
         """Make the tangent at the last `internal` a secant where it has no bound; whether it had.
 
-        A reaction whose slope at rest is infinite is one whose tangent is far steeper than its
-        secant at a micrometre. Its secant at the given displacement (m) takes its place.
+        A reaction whose slope at rest is infinite has a tangent, within a micrometre of rest, that
+        is far steeper than its secant there. The secant at the given displacement (m) takes its
+        place.
         """
         u, distance, force, modulus, across = self._state
         places = np.outer((_TINY, displacement), np.ones(self._count))
         near, far = np.abs(self.react(places)[0]) / places
-        steep = modulus > _INFINITE * near
+        steep = (np.abs(distance) < _TINY) & (modulus > _INFINITE * near)
         modulus = np.where(steep, far, modulus)
         if across is not None:
-            across = np.where(across > _INFINITE * near, far, across)
-        self._state = u, distance, force, modulus, across
+            across = np.where(steep, far, across)
+        self._at, self._state = None, (u, distance, force, modulus, across)
         return bool(steep.any())
 
     def tangent_times(self, move: Array) -> Array:

@@ -15,26 +15,24 @@ import numpy as np
 from scipy.linalg import LinAlgError
 
 from ..arrays import Array
-from ..beam.band import band_times, without
+from ..beam.band import band_times
 from ..errors import AnalysisFailed, Fault, UserError
 from ..model.assemble import Model
-from ..model.coupling import pressed, rubbed, rubs
 from ..model.effects import PDELTA
 from ..model.inertia import mass_band
 from ..model.needs import Decision, isotropic, lateral_vectors
-from ..model.system import System
 from ..scene import Foundation, Scene
 from .accuracy import unestimated
 from .analysis import Solved, factors_of, first_model, limits, rebuilt, run
 from .diagnosis import explain
-from .eigen import lowest
+from .families import Family, families
 from .statics import State
 
 SECANT = 1e-3  # displacement whose secant takes the place of an infinite slope at rest, m
 _PLACES = 41  # depths of each tube at which shapes are given
 _ROUNDS = 8  # of refinement
 _MOST_ELEMENTS = 1000
-_RIGID = 1e-7  # of the shift: a lesser eigenvalue is that of a motion that nothing resists
+_LEAST = 1e-10  # error that rounding alone may make
 _STRAIGHT = 0.01  # degrees between a direction and an axis that bears its name
 
 
@@ -84,54 +82,6 @@ class Modes:
         return max((m.error for m in self.modes), default=0.0)
 
 
-@dataclass(frozen=True, eq=False)
-class Family:
-    """Modes that do not mix with others: unknowns `part` of a system, and the mass of all.
-
-    lengthwise: of the stretch.
-    """
-
-    system: System
-    mass: Array
-    part: slice
-    lengthwise: bool
-
-    def solved(self, count: int) -> tuple[Array, Array]:
-        """Squares of circular frequencies, (n,), and unknowns, (n, size); both by rising value."""
-        size, step = self.system.size, self.part.step or 1
-        stiffness = self.system.tangent()[::step, self.part]
-        mass = without(self.mass, self.system.held)[::step, self.part]
-        found, vectors = lowest(stiffness, mass, count, self.shift)
-        states = np.zeros((len(found), size))
-        states[:, self.part] = vectors
-        weight = [float(q @ band_times(self.mass, q)) for q in states]
-        energy = [float(q @ self.system.tangent_times(q)) for q in states]
-        squares = np.array(energy) / np.array(weight)
-        squares[np.abs(squares) < _RIGID * self.shift] = 0.0
-        return squares, states
-
-    @property
-    def shift(self) -> float:
-        """A square of a circular frequency of the tubes without soil, in its order, 1/s2."""
-        field, length = self.system.field, self.system.length
-        power = 1 if self.lengthwise else 3
-        return float(np.mean(field.stiffness) / length**power / self.total)
-
-    def translation(self, direction: Array) -> Array:
-        """Unknowns of a motion of 1 m of all tubes along a direction, (components,)."""
-        field = self.system.field
-        shift = np.zeros((field.size, self.system.components))
-        shift[field.dofs[:, [0, -field.nodal]]] = direction
-        return shift.ravel()
-
-    @property
-    def total(self) -> float:
-        """All mass that moves this way, kg."""
-        first = np.eye(self.system.components)[0]
-        rigid = self.translation(first)
-        return float(rigid @ band_times(self.mass, rigid))
-
-
 def modes(
     scene: Scene, foundation: Foundation, count: int, step: int = 0, secant: float = SECANT
 ) -> Modes:
@@ -171,7 +121,8 @@ def with_errors(one: Modes, other: Modes) -> Modes:
     errors = []
     for mode, before in zip(one.modes, other.modes, strict=False):
         scale = max(mode.frequency, before.frequency)
-        errors.append(abs(mode.frequency - before.frequency) / scale if scale else 0.0)
+        change = abs(mode.frequency - before.frequency)
+        errors.append(max(change / scale, _LEAST) if scale else 0.0)
     errors += [1.0] * (len(one.modes) - len(errors))
     told = tuple(replace(m, error=e) for m, e in zip(one.modes, errors, strict=True))
     return replace(one, modes=told)
@@ -212,30 +163,10 @@ def state_of(scene: Scene, model: Model, step: int) -> State:
     return states[-1]
 
 
-def families(scene: Scene, model: Model, state: State, secant: float) -> tuple[list[Family], bool]:
-    """What does not mix, with tangents at a state, and whether secants had to be taken."""
-    lateral = model.lateral.system.softened(state.softening)
-    if model.needs.second_order:
-        lateral = pressed(model, state.axial, state.lateral, lateral)
-    axial = model.axial.system
-    if rubs(axial):
-        axial = rubbed(model, state.lateral, axial)
-    lateral.internal(state.lateral)
-    axial.internal(state.axial)
-    steep = [system.blunted(secant) for system in (lateral, axial)]
-    mass = mass_band(scene, model, "lateral")
-    stretch = Family(axial, mass_band(scene, model, "axial"), slice(None), lengthwise=True)
-    parts = [slice(None)]
-    if lateral.components == 2:
-        across = slice(1, None, 2)  # diagonals between components
-        if not (lateral.tangent()[across].any() or mass[across].any()):
-            parts = [slice(0, None, 2), slice(1, None, 2)]
-    return [*(Family(lateral, mass, part, False) for part in parts), stretch], any(steep)
-
-
 def found_on(scene: Scene, model: Model, count: int, step: int, secant: float) -> Modes:
     """The modes on the mesh of a model, without an estimate of their errors."""
-    every, steep = families(scene, model, state_of(scene, model, step), secant)
+    state = state_of(scene, model, step)
+    every, steep = families(scene, model, state, secant)
     tubes = (scene.tubes[t] for t in model.foundation.tubes)
     mudline = model.foundation.mudline
     depths = tuple(np.linspace(mudline - t.top, mudline - t.tip, _PLACES) for t in tubes)
@@ -253,9 +184,15 @@ def found_on(scene: Scene, model: Model, count: int, step: int, secant: float) -
         found += [(float(s), family, q) for s, q in zip(squares, states, strict=True)]
     found.sort(key=lambda one: one[0])
     made = [mode_of(model, *one, depths) for one in found[:count]]
+    told = list(notes(scene, model, pushed=bool(state.axial.any())))
+    if steep:
+        told.append(
+            f"reaction curves with an infinite slope at rest act by their secants at {secant:g} m: "
+            "frequencies depend on how far the tubes move (--secant)"
+        )
     return Modes(
         *(model.foundation, step, tuple(made), depths, every[0].total, every[-1].total),
-        *(model.elements, scene.numerics.accuracy, tuple(notes(scene, model, secant, steep=steep))),
+        *(model.elements, scene.numerics.accuracy, tuple(told)),
     )
 
 
@@ -293,20 +230,15 @@ def named(model: Model, direction: Array) -> str:
     return f" {angle % 180.0:.0f} deg"
 
 
-def notes(scene: Scene, model: Model, secant: float, *, steep: bool) -> Iterator[str]:
-    """What has to be known of the modes."""
+def notes(scene: Scene, model: Model, *, pushed: bool) -> Iterator[str]:
+    """What has to be known of the modes; pushed: the state has a normal force."""
     if model.needs.components == 1:
         axis = model.needs.lateral_axis or 0.0
         if isotropic(scene, model.foundation):
             yield "each lateral mode is there in every vertical plane"
         else:
             yield f"lateral modes are those in the plane at {axis:g} degrees from x"
-    if steep:
-        yield (
-            f"reaction curves with an infinite slope at rest act by their secants at {secant:g} m: "
-            "frequencies depend on how far the tubes move (--secant)"
-        )
-    if model.needs.second_order:
+    if model.needs.second_order and pushed:
         yield "the normal force of the step works on the slope (P-delta)"
     if model.needs.shear:
         yield "tubes are soft in shear and have rotary inertia"

@@ -1,0 +1,90 @@
+"""Unknowns whose natural modes do not mix with others, about a static state.
+
+Deflection and stretch are such families, and the two components of a deflection where no term of
+stiffness or mass couples them.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Array
+from ..beam.band import band_times, without
+from ..model.assemble import Model
+from ..model.coupling import pressed, rubbed, rubs
+from ..model.inertia import mass_band
+from ..model.system import System
+from ..scene import Scene
+from .eigen import lowest
+from .statics import State
+
+_RIGID = 1e-7  # of the shift: a lesser eigenvalue is that of a motion that nothing resists
+
+
+@dataclass(frozen=True, eq=False)
+class Family:
+    """Modes that do not mix with others: unknowns `part` of a system, and the mass of all.
+
+    lengthwise: of the stretch.
+    """
+
+    system: System
+    mass: Array
+    part: slice
+    lengthwise: bool
+
+    def solved(self, count: int) -> tuple[Array, Array]:
+        """Squares of circular frequencies, (n,), and unknowns, (n, size); both by rising value."""
+        size, step = self.system.size, self.part.step or 1
+        stiffness = self.system.tangent()[::step, self.part]
+        mass = without(self.mass, self.system.held)[::step, self.part]
+        found, vectors = lowest(stiffness, mass, count, self.shift)
+        states = np.zeros((len(found), size))
+        states[:, self.part] = vectors
+        weight = [float(q @ band_times(self.mass, q)) for q in states]
+        energy = [float(q @ self.system.tangent_times(q)) for q in states]
+        squares = np.array(energy) / np.array(weight)
+        squares[np.abs(squares) < _RIGID * self.shift] = 0.0
+        return squares, states
+
+    @property
+    def shift(self) -> float:
+        """A square of a circular frequency of the tubes without soil, in its order, 1/s2."""
+        field, length = self.system.field, self.system.length
+        power = 1 if self.lengthwise else 3
+        return float(np.mean(field.stiffness) / length**power / self.total)
+
+    def translation(self, direction: Array) -> Array:
+        """Unknowns of a motion of 1 m of all tubes along a direction, (components,)."""
+        field = self.system.field
+        shift = np.zeros((field.size, self.system.components))
+        shift[field.dofs[:, [0, -field.nodal]]] = direction
+        return shift.ravel()
+
+    @property
+    def total(self) -> float:
+        """All mass that moves this way, kg."""
+        first = np.eye(self.system.components)[0]
+        rigid = self.translation(first)
+        return float(rigid @ band_times(self.mass, rigid))
+
+
+def families(scene: Scene, model: Model, state: State, secant: float) -> tuple[list[Family], bool]:
+    """What does not mix, with tangents at a state, and whether secants had to be taken."""
+    lateral = model.lateral.system.softened(state.softening)
+    if model.needs.second_order:
+        lateral = pressed(model, state.axial, state.lateral, lateral)
+    axial = model.axial.system
+    if rubs(axial):
+        axial = rubbed(model, state.lateral, axial)
+    lateral.internal(state.lateral)
+    axial.internal(state.axial)
+    steep = [system.blunted(secant) for system in (lateral, axial)]
+    mass = mass_band(scene, model, "lateral")
+    stretch = Family(axial, mass_band(scene, model, "axial"), slice(None), lengthwise=True)
+    parts = [slice(None)]
+    if lateral.components == 2:
+        across = slice(1, None, 2)  # diagonals between components
+        if not (lateral.tangent()[across].any() or mass[across].any()):
+            parts = [slice(0, None, 2), slice(1, None, 2)]
+    return [*(Family(lateral, mass, part, False) for part in parts), stretch], any(steep)
