@@ -21,7 +21,7 @@ soil.reese_sand soil.iso_clay soil.pisa_fits soil.pisa soil.lateral soil.axial s
 soil.layers soil.surroundings soil.kinds soil.equivalent soil.reaction soil.profile soil.curves
 soil.lateral_capacity soil.axial_capacity soil.required_length soil.spudcan soil.spudcan_bearing
 soil.spudcan_yield
-beam.__init__ beam.shapes beam.strings beam.field beam.band
+beam.__init__ beam.shapes beam.strings beam.field beam.band beam.bubbles
 model.__init__ model.needs model.mesh model.weave model.compression model.contact model.points
 model.springs
 model.system model.many model.footing model.holds model.weight model.around model.assemble

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import pi, sqrt
+from math import atan2, degrees, pi, sqrt
 
 import numpy as np
 import pytest
@@ -10,11 +10,11 @@ import pytest
 from modal_cases import CF11, CF16, ENDS, NOTHING, beam, oc3, rows
 from podeep.beam.band import band_times
 from podeep.errors import AnalysisFailed, UserError
-from podeep.scene import Load, Mass, Numerics, Scene, Spring, Steps, Support
+from podeep.scene import Ground, Load, Mass, Numerics, Scene, Spring, Steps, Support
 from podeep.solve.analysis import rebuilt
 from podeep.solve.families import Family, families
 from podeep.solve.modes import Modes, halved, modes, state_of, suited
-from scenes import reference_pile
+from scenes import reference_pile, sand, sand_shaft
 
 FINE = Numerics(accuracy=1e-6)
 RIGID = {"free-free": 2, "free-pinned": 1}
@@ -55,12 +55,18 @@ def test_cf16_softness_in_shear_with_rotary_inertia() -> None:
     """Sine modes, and the motion of rotations alone, sqrt(GAs / rho I), which the table has not."""
     exact = [float(row["f_Hz"]) for row in rows("CF16_frequencies.csv")]
     turning = sqrt(4e9 / 50000.0) / (2.0 * pi)
-    numerics = Numerics(accuracy=1e-5, shear=True)
-    result = found(beam(CF16, "pinned-pinned", 50e6, numerics), 6)
     shear_branch = float(rows("CF16_frequencies.csv")[0]["omega_shear_branch"]) / (2.0 * pi)
     expected = sorted([*exact, turning, shear_branch])[:6]
-    assert lateral(result) == pytest.approx(expected, rel=1e-5)
-    assert np.abs(lateral(result) / expected - 1.0).max() <= result.error
+    for components in (1, 2):
+        scene = beam(CF16, "pinned-pinned", 50e6, Numerics(accuracy=1e-6, shear=True))
+        supports = tuple(replace(s, dofs=(*s.dofs, "Y")) for s in scene.supports[:2])
+        supports += (Support(1, -30.0, ("Z",)),)
+        numerics = replace(scene.numerics, components=components)
+        scene = replace(scene, supports=supports, numerics=numerics)
+        result = found(scene, 6 * components)
+        both = np.repeat(expected, components)
+        assert lateral(result) == pytest.approx(both, rel=1e-7)
+        assert np.abs(lateral(result) / both - 1.0).max() <= result.error
     plain = found(beam(CF16, "pinned-pinned", 50e6, Numerics(accuracy=1e-8)), 6)
     simple = [float(row["f_EB_Hz"]) for row in rows("CF16_frequencies.csv")]
     assert lateral(plain) == pytest.approx(simple, rel=1e-9)
@@ -70,7 +76,7 @@ FORE_AFT = [row for row in rows("PR08_frequencies.csv") if "fore-aft" in row["mo
 
 
 def test_pr08_a_tower_on_coupled_springs() -> None:
-    result = found(oc3(20, Numerics(accuracy=1e-5, degree=3)), 4)
+    result = found(oc3(12, Numerics(accuracy=1e-4, degree=3)), 4)
     own = [float(row["own_planar_Hz"]) for row in FORE_AFT]
     peer = [float(row["pyBModes_no_offset_Hz"]) for row in FORE_AFT]
     assert lateral(result) == pytest.approx(own, rel=1e-4)
@@ -78,7 +84,7 @@ def test_pr08_a_tower_on_coupled_springs() -> None:
 
 
 def test_pr08_gravity_lowers_the_frequencies() -> None:
-    scene = oc3(20, Numerics(accuracy=1e-4, degree=3, weight=True, second_order=True))
+    scene = oc3(12, Numerics(accuracy=1e-4, degree=3, weight=True, second_order=True))
     result = found(scene, 4)
     assert lateral(result) == pytest.approx([0.24060, 1.50374, 3.19524, 6.32659], rel=1e-4)
     assert any("P-delta" in note for note in result.notes)
@@ -108,12 +114,33 @@ def test_a_normal_force_lowers_a_frequency_to_nothing() -> None:
         found(beyond, 1, 1)
 
 
-@pytest.mark.parametrize("shear", [False, True])
-def test_modes_are_orthogonal_to_mass_and_stiffness(shear: bool) -> None:
-    scene = reference_pile(numerics=Numerics(shear=shear))
+def test_shear_with_rotary_inertia_converges_by_twice_the_degree_less_two() -> None:
+    exact = (2.0 * pi * float(rows("CF16_frequencies.csv")[3]["f_Hz"])) ** 2
+    scene = beam(CF16, "pinned-pinned", 50e6, replace(FINE, shear=True, elements=6))
+    errors = [family(scene, h).solved(4)[0][3] / exact - 1.0 for h in (0, 1, 2)]
+    assert np.log2(errors[1] / errors[2]) == pytest.approx(6.0, abs=0.3)
+
+
+@pytest.mark.parametrize("load", [(1e6, 0.0, -4e6), (6e5, 8e5, -4e6)])
+def test_rotations_inside_mix_with_two_planes(load: tuple[float, float, float]) -> None:
+    """About a loaded state in two planes, coupled or not, elements of two degrees agree."""
+    smooth = Ground((0.0,), (1,), (1,), {1: sand(1)}, {1: sand_shaft(1)})
+    pile = reference_pile(load, numerics=Numerics(shear=True, accuracy=1e-4))
+    pile = replace(pile, ground=smooth)
+    other = replace(pile, numerics=replace(pile.numerics, degree=7))
+    one, two = (found(scene, 5, 6) for scene in (pile, other))
+    kinds = {m.kind for m in one.modes} - {"axial"}
+    angle = degrees(atan2(load[1], load[0]))
+    names = {f"lateral {a:.0f} deg" for a in (angle, angle + 90.0)} if angle else None
+    assert kinds == (names or {"lateral x", "lateral y"})
+    assert lateral(one) == pytest.approx(lateral(two), rel=1e-4)
+
+
+def test_modes_are_orthogonal_to_mass_and_stiffness() -> None:
+    scene = reference_pile()
     scene = replace(scene, masses=(Mass(1, 12.0, 80e3, (1e5, 1e5, 1e5)),))
     one = family(scene)
-    squares, states = one.solved(8)
+    squares, states, _ = one.solved(8)
     heavy = np.array([[a @ band_times(one.mass, b) for a in states] for b in states])
     stiff = np.array([[a @ one.system.tangent_times(b) for a in states] for b in states])
     scale = np.sqrt(np.outer(heavy.diagonal(), heavy.diagonal()))
@@ -121,7 +148,7 @@ def test_modes_are_orthogonal_to_mass_and_stiffness(shear: bool) -> None:
     assert np.allclose(stiff / scale, np.diag(squares), atol=1e-10 * squares.max())
 
 
-@pytest.mark.parametrize(("degree", "halvings"), [(3, (2, 3, 4)), (5, (1, 2, 3)), (7, (0, 1))])
+@pytest.mark.parametrize(("degree", "halvings"), [(3, (2, 3, 4)), (5, (1, 2, 3))])
 def test_frequencies_converge_by_twice_the_degree_less_one(
     degree: int, halvings: Sequence[int]
 ) -> None:
@@ -131,14 +158,14 @@ def test_frequencies_converge_by_twice_the_degree_less_one(
     errors = [family(scene, h).solved(4)[0][3] / exact - 1.0 for h in halvings]
     orders = np.log2(np.array(errors[:-1]) / errors[1:])
     assert min(errors) > 1e-10  # above rounding
-    assert orders[-1] == pytest.approx(2 * (degree - 1), abs=0.8 if degree == 7 else 0.35)
+    assert orders[-1] == pytest.approx(2 * (degree - 1), abs=0.35)
 
 
 def test_large_problems_are_solved_as_small_ones_are(monkeypatch: pytest.MonkeyPatch) -> None:
     one = family(reference_pile(), 1)
-    whole, _ = one.solved(8)
+    whole = one.solved(8)[0]
     monkeypatch.setattr("podeep.solve.eigen._WHOLE", 10)
-    by_lanczos, _ = one.solved(8)
+    by_lanczos = one.solved(8)[0]
     assert by_lanczos == pytest.approx(whole, rel=1e-9)
 
 

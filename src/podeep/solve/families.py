@@ -10,9 +10,10 @@ import numpy as np
 
 from ..arrays import Array
 from ..beam.band import band_times, without
+from ..beam.bubbles import Bubbles, enriched
 from ..model.assemble import Model
 from ..model.coupling import pressed, rubbed, rubs
-from ..model.inertia import mass_band
+from ..model.inertia import mass_band, turning_inside
 from ..model.system import System
 from ..scene import Scene
 from .eigen import lowest
@@ -25,27 +26,37 @@ _RIGID = 1e-7  # of the shift: a lesser eigenvalue is that of a motion that noth
 class Family:
     """Modes that do not mix with others: unknowns `part` of a system, and the mass of all.
 
-    lengthwise: of the stretch.
+    lengthwise: of the stretch. inside: rotations that inertia makes inside elements.
     """
 
     system: System
     mass: Array
     part: slice
-    lengthwise: bool
+    lengthwise: bool = False
+    inside: Bubbles | None = None
 
-    def solved(self, count: int) -> tuple[Array, Array]:
-        """Squares of circular frequencies, (n,), and unknowns, (n, size); both by rising value."""
+    def solved(self, count: int) -> tuple[Array, Array, Array]:
+        """Squares of circular frequencies, rising, (n,), unknowns, (n, size), and modal masses,
+        (n,), kg."""
         size, step = self.system.size, self.part.step or 1
         stiffness = self.system.tangent()[::step, self.part]
         mass = without(self.mass, self.system.held)[::step, self.part]
-        found, vectors = lowest(stiffness, mass, count, self.shift)
-        states = np.zeros((len(found), size))
-        states[:, self.part] = vectors
-        weight = [float(q @ band_times(self.mass, q)) for q in states]
-        energy = [float(q @ self.system.tangent_times(q)) for q in states]
-        squares = np.array(energy) / np.array(weight)
+        place = np.arange(mass.shape[1])
+        if self.inside is not None:
+            components = self.system.components // step
+            stiffness, mass, place = enriched(self.inside, stiffness, mass, components)
+        _, vectors = lowest(stiffness, mass, count, self.shift)
+        states = np.zeros((len(vectors), size))
+        states[:, self.part] = vectors[:, place]
+        weight = np.array([v @ band_times(mass, v) for v in vectors])
+        energy = np.array([q @ self.system.tangent_times(q) for q in states])
+        if self.inside is not None:
+            inner = vectors.copy()
+            inner[:, place] = 0.0
+            energy += [v @ band_times(stiffness, v) for v in inner]
+        squares = energy / weight
         squares[np.abs(squares) < _RIGID * self.shift] = 0.0
-        return squares, states
+        return squares, states, weight
 
     @property
     def shift(self) -> float:
@@ -87,4 +98,6 @@ def families(scene: Scene, model: Model, state: State, secant: float) -> tuple[l
         across = slice(1, None, 2)  # diagonals between components
         if not (lateral.tangent()[across].any() or mass[across].any()):
             parts = [slice(0, None, 2), slice(1, None, 2)]
-    return [*(Family(lateral, mass, part, False) for part in parts), stretch], any(steep)
+    inside = turning_inside(scene, model)
+    bent = (Family(lateral, mass, part, inside=inside) for part in parts)
+    return [*bent, stretch], any(steep)

@@ -10,6 +10,7 @@ changes by more than the accuracy.
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import inf, pi, sqrt
+from typing import Literal
 
 import numpy as np
 from scipy.linalg import LinAlgError
@@ -23,7 +24,7 @@ from ..model.inertia import mass_band
 from ..model.needs import Decision, isotropic, lateral_vectors
 from ..scene import Foundation, Scene
 from .accuracy import unestimated
-from .analysis import Solved, factors_of, first_model, limits, rebuilt, run
+from .analysis import Solved, factors_of, first_model, limits, rebuilt, run, solve
 from .diagnosis import explain
 from .families import Family, families
 from .statics import State
@@ -31,6 +32,7 @@ from .statics import State
 SECANT = 1e-3  # displacement whose secant takes the place of an infinite slope at rest, m
 _PLACES = 41  # depths of each tube at which shapes are given
 _ROUNDS = 8  # of refinement
+_PATIENCE = 2  # rounds without a better mesh
 _MOST_ELEMENTS = 1000
 _LEAST = 1e-10  # error that rounding alone may make
 _STRAIGHT = 0.01  # degrees between a direction and an axis that bears its name
@@ -98,17 +100,19 @@ def modes(
     while model.elements < 2 * count and scene.numerics.elements is None:
         model = rebuilt(scene, model, halved(model.edges), 0)
     coarse = found_on(scene, model, count, step, secant)
-    for round_ in range(_ROUNDS):
+    best, stale = coarse, 0
+    for _ in range(_ROUNDS):
         finer = rebuilt(scene, model, halved(model.edges), 0)
         fine = with_errors(found_on(scene, finer, count, step, secant), coarse)
         if scene.numerics.elements is not None:
             return with_errors(coarse, fine)
-        if fine.error <= fine.accuracy or 2 * finer.elements > _MOST_ELEMENTS:
+        known = best is not coarse
+        best, stale = (best, stale + 1) if known and fine.error > best.error else (fine, 0)
+        enough = best.error <= best.accuracy or stale == _PATIENCE
+        if enough or 2 * finer.elements > _MOST_ELEMENTS:
             break
-        if round_ and fine.error > coarse.error:  # rounding, which finer elements add to
-            return coarse
         model, coarse = finer, fine
-    return fine
+    return best
 
 
 def halved(edges: Array) -> Array:
@@ -148,7 +152,25 @@ def suited(scene: Scene, foundation: Foundation, step: int) -> Model:
         raise UserError(
             Fault(f"{foundation.name} has no mass", "give RHO or MASS= in *CASING, or *MASS")
         )
-    return model
+    return resolved(scene, model, step) if step else model
+
+
+def resolved(scene: Scene, model: Model, step: int) -> Model:
+    """The same model on the mesh that the statics up to a step take.
+
+    Its elements end where the soil's tangent jumps. Raises AnalysisFailed where the step has no
+    equilibrium.
+    """
+    needs, steps = model.needs, scene.steps
+    components: Literal[1, 2] = 2 if needs.components == 2 else 1
+    numerics = replace(scene.numerics, components=components, second_order=needs.second_order)
+    first = replace(steps, factors=steps.factors[:step])
+    solved = solve(replace(scene, steps=first, numerics=numerics), model.foundation)
+    if solved.interrupted:
+        raise KeyboardInterrupt
+    if solved.failure is not None:
+        raise AnalysisFailed(explain(solved, solved.failure, steps.names))
+    return rebuilt(scene, model, solved.model.edges, 0)
 
 
 def state_of(scene: Scene, model: Model, step: int) -> State:
@@ -170,18 +192,19 @@ def found_on(scene: Scene, model: Model, count: int, step: int, secant: float) -
     tubes = (scene.tubes[t] for t in model.foundation.tubes)
     mudline = model.foundation.mudline
     depths = tuple(np.linspace(mudline - t.top, mudline - t.tip, _PLACES) for t in tubes)
-    found: list[tuple[float, Family, Array]] = []
+    found: list[tuple[float, float, Family, Array]] = []
     for family in every:
         try:
-            squares, states = family.solved(count)
+            squares, states, masses = family.solved(count)
         except LinAlgError:
-            squares, states = np.array([-inf]), np.zeros((1, family.system.size))
-        if squares.min() < 0.0:
+            squares, states, masses = np.full(1, -inf), np.zeros((1, 0)), np.ones(1)
+        if squares.min(initial=0.0) < 0.0:
             raise AnalysisFailed(
                 f"{model.foundation.name}: step {step} is not stable: a motion from it grows "
                 "instead of coming back, so it has no frequency"
             )
-        found += [(float(s), family, q) for s, q in zip(squares, states, strict=True)]
+        for square, mass, q in zip(squares.tolist(), masses.tolist(), states, strict=True):
+            found.append((square, mass, family, q))
     found.sort(key=lambda one: one[0])
     made = [mode_of(model, *one, depths) for one in found[:count]]
     told = list(notes(scene, model, pushed=bool(state.axial.any())))
@@ -197,9 +220,14 @@ def found_on(scene: Scene, model: Model, count: int, step: int, secant: float) -
 
 
 def mode_of(
-    model: Model, square: float, family: Family, q: Array, depths: tuple[Array, ...]
+    model: Model,
+    square: float,
+    mass: float,
+    family: Family,
+    q: Array,
+    depths: tuple[Array, ...],
 ) -> Mode:
-    """A mode from its unknowns, normalised and named."""
+    """A mode from its unknowns and their modal mass, normalised and named."""
     system, tubes = family.system, range(len(depths))
     unknowns = q.reshape(-1, system.components)
     element = system.field.edges
@@ -209,7 +237,6 @@ def mode_of(
     direction = np.linalg.svd(moved, full_matrices=False)[2][0]
     direction *= np.sign(direction[np.argmax(np.abs(direction))])
     scale = 1.0 / float(moved[place] @ direction)
-    mass = float(q @ band_times(family.mass, q))
     shared = float(q @ band_times(family.mass, family.translation(direction)))
     shape = tuple(
         scale * (system.field.interpolation(x, 0, t) @ unknowns @ direction)
