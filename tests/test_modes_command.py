@@ -50,7 +50,7 @@ def test_the_table_fits_a_terminal(run: Run) -> None:
     assert not err
     assert "about the state of step 6: 7 modes" in out
     assert out.count("depth (m)") == 1
-    assert len(re.findall(r"^ *\d+\.\d+( +-?\d\.\d{5}){7}$", out, re.M)) == 41
+    assert len(re.findall(r"^ *-?\d+\.\d+( +-?\d\.\d{5}){7}$", out, re.M)) == 41
 
 
 def test_data_for_other_programs(run: Run) -> None:
