@@ -12,34 +12,37 @@ ORDER = """
 __init__ arrays errors files units tubes motion scene
 soil.__init__ soil.group
 deck.__init__ deck.faults deck.scan deck.column deck.curve_columns deck.ground_keywords
-deck.py_keyword deck.tz_keyword deck.structure_keywords deck.action_keywords deck.analysis_keywords
-deck.keywords deck.cells deck.registry deck.curves deck.ground deck.structure deck.foundations
-deck.actions deck.ties
-deck.paragraphs deck.read
-soil.law soil.backbone soil.soft_clay soil.sand soil.initial_line soil.stiff_clay soil.weak_rock
+deck.py_keyword deck.tz_keyword deck.structure_keywords deck.action_keywords deck.motion_keywords
+deck.analysis_keywords deck.keywords deck.cells deck.registry deck.curves deck.ground
+deck.structure deck.foundations deck.actions deck.steps deck.histories deck.ties
+deck.paragraphs deck.dynamics deck.read
+soil.polyline soil.law soil.backbone soil.soft_clay soil.sand soil.initial_line soil.stiff_clay
+soil.weak_rock
 soil.reese_sand soil.iso_clay soil.pisa_fits soil.pisa soil.lateral soil.axial soil.layering
 soil.layers soil.surroundings soil.kinds soil.equivalent soil.reaction soil.profile soil.curves
 soil.lateral_capacity soil.axial_capacity soil.required_length soil.spudcan soil.spudcan_bearing
 soil.spudcan_yield
-beam.__init__ beam.shapes beam.strings beam.field beam.band beam.bubbles
+beam.__init__ beam.shapes beam.strings beam.rows beam.field beam.band beam.bubbles
 model.__init__ model.needs model.mesh model.weave model.compression model.contact model.points
-model.springs
-model.system model.many model.footing model.holds model.weight model.around model.assemble
+model.moduli model.springs model.system model.many model.footing model.holds model.weight
+model.around model.assemble
 model.inertia
-model.recover model.results model.coupling model.effects model.grid
+model.recover model.results model.moved model.coupling model.effects model.grid
 solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.statics solve.loaded
 solve.bordered solve.continuation solve.path solve.together solve.prolong solve.across solve.refine
-solve.accuracy solve.analysis solve.diagnosis solve.eigen
-solve.families solve.modes
+solve.accuracy solve.analysis solve.diagnosis
+solve.equations solve.stage solve.integrators solve.drive solve.moving solve.body solve.dynamics
+solve.simulate solve.plan
+solve.eigen solve.families solve.modes
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read
 demand embedded capacity
 risks.__init__ risks.ranges risks.risk risks.curves risks.site risks.piles risks.bearing
-checks record describe report stiffness capacity_report query table picture figure soil_figure
-modes_report modes_figure
+checks record describe_motion describe report stiffness capacity_report query table picture figure
+soil_figure modes_report modes_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result
-run
+motion_record run_motion run
 study.__init__ study.settings study.chart study.measure study.chart_report study.chart_figure
 cli.__init__ cli.common cli.podeep cli.chart cli.modes cli.solve
 """.split()

@@ -16,7 +16,7 @@ KINDS = {
     "not a whole number": ("1 PILE", "1.5 PILE", "1.5", "IGR is 1.5, but must be a whole number"),
     "out of bounds": ("26e3 7e3 0.25", "26e3 7e3 0.9", "0.9", "J is 0.9, but must be 0.25 to 0.5"),
     "unknown keyword": ("*NEWTONSTAT", "*NEWTONSTATS", "*NEWTONSTATS", "no keyword *NEWTONSTATS"),
-    "unread keyword": ("*ACCURACY", "*MASS\n1\n*ACCURACY", "*MASS", "*MASS is known, but not read"),
+    "unread keyword": ("*ACCURACY", "*WAVE\n1\n*ACCURACY", "*WAVE", "*WAVE is known, but not read"),
     "unknown option": ("SHAPE=WSD", "SHAP=WSD", "SHAP=WSD", "*PYCURVE has no SHAP here"),
     "unknown choice": ("SHAPE=2GEO", "SHAPE=3GEO", "SHAPE=3GEO", "SHAPE '3GEO' is unknown"),
     "duplicate id": (

@@ -14,7 +14,8 @@ from podeep.errors import UserError
 BASE = (Path(__file__).parent / "data" / "decks" / "base.deck").read_text(encoding="utf-8")
 KEYWORDS = """*TITLE *DEPTH *GROUNDEPTH *PYCURVE *TZCURVE *GROUNDPROP *CASING *FONDATION *SUPPORT
 *SPRING *LOAD *DISPLACE *QUASISTATIC *NEWTONSTAT *ACCURACY *MODEL *INCLUDE *EXEC *STOP *LINE
-*FOO""".split()
+*MASS *STIFFNESS *RADIATION *INITIAL *HARMONIC *TIMESERIES *DAMPING *DYNAMIC *DYNIMP *NEWTONDYN
+*DTREC *FOO""".split()
 
 
 def write(folder: Path, text: str | bytes, name: str = "a.deck") -> Path:
@@ -132,9 +133,9 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     assert "has no keyword" in refused(write(tmp_path, ""))
 
 
-words = st.sampled_from(
-    [*KEYWORDS, *"1 2 0 -9 1e8 2,5 nan 1.5D6 & ! C , = , LOADS SHAPE=WSD J= =3 X RZ -58".split()]
-) | st.text(max_size=6)
+VALUES = """1 2 0 -9 1e8 2,5 nan 1.5D6 & ! C , = , LOADS SHAPE=WSD J= =3 X RZ -58
+STORM file=a.deck ALPHA=1""".split()
+words = st.sampled_from([*KEYWORDS, *VALUES]) | st.text(max_size=6)
 garbage = st.lists(st.lists(words, max_size=7).map(" ".join), max_size=25).map("\n".join)
 
 

@@ -278,7 +278,7 @@ def test_the_bordered_matrix_is_solved_where_the_tangent_is_indefinite(component
     n, signs = system.size, set()
     for _ in range(6):
         system.internal(0.05 * rng.standard_normal(n))
-        modulus = system._state[3]  # turned in place: a law that softens where it is told
+        modulus = system.reached[3]  # turned in place: a law that softens where it is told
         modulus *= rng.choice([1.0, -3e3], size=modulus.shape)
         lower = system.tangent()
         dense = sum(np.diag(lower[d, : n - d], -d) for d in range(len(lower)))

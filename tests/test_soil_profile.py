@@ -8,6 +8,7 @@ from podeep.soil.axial import alpha_friction
 from podeep.soil.profile import Profile
 from podeep.soil.sand import Sand
 from podeep.soil.soft_clay import SoftClay
+from scenes import linear_ground
 
 U = np.array([1e-4, -2e-3, 0.03, 0.2, -1.0])
 CLAY = {"undrained_shear_strength": 20e3, "effective_unit_weight": 8e3, "j": 0.5, "strain_50": 0.01}
@@ -192,3 +193,75 @@ def test_adhesion_is_the_mean_over_the_clay_of_twenty_diameters():
     su = np.where(z < 5.0, 20e3, 60e3)
     alpha = alpha_friction(su, 8e3 * z) / su
     assert term.law.adhesion[0] == pytest.approx(alpha.mean(), rel=1e-5)
+
+
+class TestMotion:
+    """User rows `Ps Ys Pd Yd`: which pair reacts at rest and in motion; radiation dashpots."""
+
+    APART = user(1, (1e4, 0.01, 3e4, 0.02))
+    ALIKE = user(2, (5e4, 0.01))
+    SHAFT = user(1, (2e4, 0.01, 7e6, 0.1))
+
+    def forces(self, dynamic, rule):
+        """p at 1 m of D = 1.5 m, under u = 1 m, in a layer of each curve; friction; bearing."""
+        curves = {c.id: c for c in (self.APART, self.ALIKE)}
+        ids = (1, 1, 2, 2)
+        ground = Ground(
+            (0.0, 5.0, 5.0, 9.0),
+            ids,
+            (1,) * 4,
+            curves,
+            {1: self.SHAFT},
+            dynamic_rule=rule,
+        )
+        soil = Profile(ground, dynamic=dynamic)
+        one, z = np.ones(2), np.array([1.0, 7.0])
+        shaft, tip = soil.shaft(z, D[:2]), soil.tip(9.0, 1.5)
+        return (
+            *(soil.lateral(z, D[:2]).evaluate(one)[0] / 1.5),
+            shaft.evaluate(one)[0][0] / (np.pi * 1.5),
+            tip.evaluate(one[:1])[0][0] / (0.25 * np.pi * 1.5**2),
+        )
+
+    @pytest.mark.parametrize(
+        ("dynamic", "rule", "apart"),
+        [
+            *((False, rule, 1e4) for rule in (0, 1, 2)),
+            *((True, rule, 3e4) for rule in (0, 1)),
+            (True, 2, 1e4),
+            (False, 3, 3e4),
+            (True, 3, 3e4),
+        ],
+    )
+    def test_which_rows_react(self, dynamic, rule, apart):
+        assert self.forces(dynamic, rule) == pytest.approx((apart, 5e4, 2e4, 7e6))
+
+    def test_layers_above_count_by_the_rows_that_react(self):
+        """Clay under a user curve: its equivalent depth is that of the rows in force."""
+
+        def resistance(row, dynamic):
+            rows = user(1, row, effective_unit_weight=8e3)
+            ids, curves = (1, 1, 2, 2), {1: rows, 2: clay(2)}
+            ground = Ground((0.0, 3.0, 3.0, 9.0), ids, (0,) * 4, curves, {}, layering="GEORGIADIS")
+            soil = Profile(ground, dynamic=dynamic)
+            return soil.lateral(np.array([4.0]), D[:1]).evaluate(np.array([1.0]))[0][0]
+
+        apart = (20e3, 0.01, 40e3, 0.01)
+        assert resistance(apart, False) == resistance((20e3, 0.01), False)
+        assert resistance(apart, True) == resistance((40e3, 0.01), False)
+        assert resistance(apart, True) > 1.1 * resistance(apart, False)
+
+    def test_dashpots_vary_linearly_between_depths(self):
+        curves = {i: user(i, (1e4, 0.01)) for i in (1, 2, 3)}
+        ids = (1, 2, 3, 0, 2)
+        ground = Ground(
+            (0.0, 4.0, 4.0, 6.0, 8.0), ids, (0,) * 5, curves, {}, dashpots={1: 100.0, 2: 300.0}
+        )
+        depth = np.array([0.0, 1.0, 4.0, 5.0, 6.0, 7.0, 8.0, 50.0])
+        found = Profile(ground).dashpot(depth, np.full(8, 2.0))
+        np.testing.assert_allclose(found, 2.0 * np.array([100, 150, 300, 0, 0, 150, 300, 300]))
+        assert (Profile(linear_ground(1e6, 1.0)).dashpot(depth, np.full(8, 2.0)) == 0.0).all()
+
+    def test_no_dashpot_stands_above_the_mudline(self):
+        with pytest.raises(ValueError, match="above the mudline"):
+            Profile(linear_ground(1e6, 1.0)).dashpot(np.array([-1.0]), D[:1])

@@ -6,7 +6,7 @@ import pytest
 from podeep.arrays import Array
 from podeep.model.many import internal_of_many, solve_many
 from podeep.scene import Numerics
-from podeep.soil.backbone import Polyline
+from podeep.soil.polyline import Polyline
 from podeep.soil.reaction import Reaction
 from podeep.solve.analysis import first_model, limits, run
 from podeep.solve.newton import Limits, newton

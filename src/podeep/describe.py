@@ -4,12 +4,15 @@ from collections.abc import Iterator, Sequence
 from textwrap import wrap
 from typing import Any
 
+from .describe_motion import motion_lines, soil_motion_lines
 from .scene import (
+    CoupledSpring,
     Curve,
     Displacement,
     Foundation,
     Ground,
     Load,
+    Mass,
     Newton,
     Numerics,
     Scene,
@@ -34,6 +37,8 @@ def scene_report(scene: Scene, notes: tuple[str, ...]) -> str:
     lines += [f"  {line}" for line in action_lines(scene)]
     lines += ["", "steps"]
     lines += [f"  {line}" for line in step_lines(scene)]
+    if moving := list(motion_lines(scene)):
+        lines += ["", "motion", *(f"  {line}" for line in moving)]
     lines += ["", "numerics"]
     lines += [f"  {line}" for line in numerics_lines(scene)]
     if notes:
@@ -74,6 +79,8 @@ def numerics_lines(scene: Scene) -> Iterator[str]:
         yield "tubes are soft in shear (SHEAR=ON)"
     if numerics.weight:
         yield "tubes have their own weight (WEIGHT=ON)"
+    if numerics.hysteresis != "ELASTIC":
+        yield f"the soil remembers its motion (HYSTERESIS={numerics.hysteresis})"
     limits = (
         f"at most {newton.iterations} iterations, forces balanced to {newton.force:g} or better"
     )
@@ -136,6 +143,7 @@ def ground_lines(ground: Ground) -> Iterator[str]:
     for kind, curves in (("p-y", ground.lateral_curves), ("t-z", ground.axial_curves)):
         for curve in curves.values():
             yield f"{kind} {curve.id}: {curve_line(curve)}"
+    yield from soil_motion_lines(ground)
 
 
 def curve_line(curve: Curve) -> str:
@@ -154,14 +162,21 @@ def marked(text: str, given: object, default: object) -> str:
 
 
 def action_lines(scene: Scene) -> Iterator[str]:
-    """Supports, springs, loads and imposed displacements."""
+    """Supports, springs, masses, loads and imposed displacements."""
     for support in scene.supports:
         yield f"{_place(support)}: {' '.join(support.dofs)} held"
     for spring in scene.springs:
         unit = "N m/rad" if spring.dof.startswith("R") else "N/m"
         yield f"{_place(spring)}: spring {spring.dof} {short(spring.stiffness)} {unit}"
+    for both in scene.coupled_springs:
+        yield (
+            f"{_place(both)}: spring of deflection and slope, {short(both.lateral)} N/m, "
+            f"{short(both.coupling)} N/rad, {short(both.rotational)} N m/rad"
+        )
     for spudcan in scene.spudcans:
         yield spudcan_line(spudcan)
+    for mass in scene.masses:
+        yield f"{_place(mass)}: {_mass(mass, scene.tubes[mass.tube].top)}"
     for load in scene.loads:
         parts = [
             f"{name} {short(value)} {unit}"
@@ -194,7 +209,20 @@ def spudcan_line(spudcan: Spudcan) -> str:
     )
 
 
-def _place(item: Support | Spring | Load | Displacement) -> str:
+def _mass(mass: Mass, top: float) -> str:
+    """A mass, its moments of inertia where it has any, and the arm that it stands on."""
+    parts = [f"mass {short(mass.mass)} kg"]
+    parts += [
+        f"J{axis}{axis} {short(inertia)} kg m2"
+        for axis, inertia in zip("XYZ", mass.inertia, strict=True)
+        if inertia
+    ]
+    if mass.elevation > top:
+        parts.append(f"on a rigid arm of {short(mass.elevation - top)} m")
+    return ", ".join(parts)
+
+
+def _place(item: Support | Spring | CoupledSpring | Mass | Load | Displacement) -> str:
     return f"tube {item.tube} at {short(item.elevation)} m"
 
 

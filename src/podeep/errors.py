@@ -28,6 +28,10 @@ class Place:
     def __str__(self) -> str:
         return f"{self.file}:{self.line}:{self.column}"
 
+    def at(self, column: int, width: int) -> "Place":
+        """Another stretch of the same line."""
+        return Place(self.file, self.line, column, self.text, width)
+
     def picture(self) -> str:
         """The line with carets under the value meant; tabs keep their width."""
         indent = "".join("\t" if c == "\t" else " " for c in self.text[: self.column - 1])

@@ -38,7 +38,7 @@ class CoupledSpring:
     rotational: float
 
     def __post_init__(self) -> None:
-        if not self.lateral * self.rotational >= self.coupling**2:
+        if not self.lateral * self.rotational >= self.coupling * self.coupling:
             raise InvalidData(
                 f"a spring of {self.lateral:g} N/m and {self.rotational:g} N m/rad cannot have a "
                 f"coupling of {self.coupling:g} N: it would push along some motions",

@@ -24,11 +24,19 @@ class Sheet:
     values: dict[str, Array]
 
 
-def sheet(scene: Scene, solved: Solved) -> Sheet:
-    """Evaluate every quantity of a foundation on a grid that is fine enough for the accuracy."""
-    results, model = solved.results, solved.model
-    foundation, axis = model.foundation, model.needs.lateral_axis
-    depth = output_depths(results, scene.numerics.accuracy)
+@dataclass(frozen=True)
+class Places:
+    """Where a foundation's values stand: the grid, and the depths of each tube's results, m."""
+
+    grid: Grid
+    tubes: dict[int, Array]
+
+
+def places(scene: Scene, results: Results, accuracy: float) -> Places:
+    """Depths that are close enough for the results to be read between them to an accuracy."""
+    model = results.model
+    foundation = model.foundation
+    depth = output_depths(results, accuracy)
     marks = foundation.mudline - np.array(scene.marks(foundation))
     numbers = dict(enumerate(foundation.tubes))
     x = {igr: tube_depths(results, depth, marks, i) for i, igr in numbers.items()}
@@ -39,22 +47,30 @@ def sheet(scene: Scene, solved: Solved) -> Sheet:
         layer=model.profile.layer(depth),
         layer_boundaries=np.array([b for b in model.profile.boundaries if b < depth[-1]]),
         mudline=foundation.mudline,
-        lateral_axis=axis,
+        lateral_axis=model.needs.lateral_axis,
         tubes={igr: foundation.mudline - at for igr, at in x.items()},
     )
-    values = {
-        **soil_values(results, depth, axis),
-        **{
-            f"tubes/{igr}/{name}": value
-            for i, igr in numbers.items()
-            for name, value in tube_values(results, x[igr], i).items()
-        },
-        **progress_values(solved),
-    }
+    return Places(grid, x)
+
+
+def sheet(scene: Scene, solved: Solved) -> Sheet:
+    """Evaluate every quantity of a foundation on a grid that is fine enough for the accuracy."""
+    results = solved.results
+    at = places(scene, results, scene.numerics.accuracy)
+    values = {**all_values(results, at), **progress_values(solved)}
     if scene.steps.names:
         values["load_factor"] = np.array([s.factors for s in solved.states])
-    named = {f"{foundation.name}/{name}": value for name, value in values.items()}
-    return Sheet(grid, np.array([s.step for s in solved.states]), named)
+    named = {f"{at.grid.name}/{name}": value for name, value in values.items()}
+    return Sheet(at.grid, np.array([s.step for s in solved.states]), named)
+
+
+def all_values(results: Results, at: Places) -> dict[str, Array]:
+    """What a database holds of the soil and of each tube, by the schema's names."""
+    found = soil_values(results, at.grid.depth, at.grid.lateral_axis)
+    for i, (igr, x) in enumerate(at.tubes.items()):
+        for name, value in tube_values(results, x, i).items():
+            found[f"tubes/{igr}/{name}"] = value
+    return found
 
 
 def soil_values(results: Results, depth: Array, axis: float | None) -> dict[str, Array]:

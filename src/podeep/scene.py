@@ -16,6 +16,7 @@ from .motion import Dynamics as Dynamics
 from .motion import Harmonic as Harmonic
 from .motion import Hysteresis as Hysteresis
 from .motion import Mass as Mass
+from .motion import Method as Method
 from .motion import Start as Start
 from .motion import TimeSeries as TimeSeries
 from .tubes import Section as Section

@@ -1,15 +1,23 @@
 """Symmetric matrices in LAPACK's lower band storage, and products that land straight in it."""
 
+from collections.abc import Callable
+from functools import cache, partial
+from typing import TypeAlias
+
 import numpy as np
 from scipy import sparse
 from scipy.linalg import blas
 
 from ..arrays import Array, Index
 
+_DENSE = 120  # unknowns up to which a whole matrix is faster than its band (overhead of a call)
+
+Times: TypeAlias = Callable[[Array], Array]
+
 try:  # a private name of SciPy, which spares a call what its public product spends on checks
-    from scipy.sparse._sparsetools import csr_matvec as _csr_matvec
+    from scipy.sparse._sparsetools import csc_matvec as _csc_matvec
 except ImportError:
-    _csr_matvec = None  # type: ignore[assignment]  # the public product is used
+    _csc_matvec = None  # type: ignore[assignment]  # the public product is used
 
 
 def band_place(rows: Index, columns: Index, width: int) -> Index:
@@ -20,13 +28,19 @@ def band_place(rows: Index, columns: Index, width: int) -> Index:
     return (rows - columns) + columns * width
 
 
+@cache
+def _lower(size: int) -> tuple[Index, Index]:
+    """Row and column of each entry of a lower triangle."""
+    return np.tril_indices(size)
+
+
 def pairs(dofs: Index) -> tuple[Index, Index, Index, Index]:
     """Lower-triangle pairs of the unknowns of each element.
 
     dofs: shape (elements, local). Returns the local indices i, j of each pair and the global rows
     and columns, shape (elements, pairs), row >= column.
     """
-    i, j = np.tril_indices(dofs.shape[1])
+    i, j = _lower(dofs.shape[1])
     first, second = dofs[:, i], dofs[:, j]
     return i, j, np.maximum(first, second), np.minimum(first, second)
 
@@ -62,14 +76,23 @@ def band_times(band: Array, x: Array) -> Array:
     return np.asarray(blas.dsbmv(band.shape[0] - 1, 1.0, band, x, lower=1))
 
 
-def whole_matrix(band: Array) -> Array:
-    """A symmetric matrix from its lower band, shape (n, n)."""
+def dense(band: Array) -> Array:
+    """The whole of a symmetric matrix, (n, n), from its lower band, (width, n)."""
     width, n = band.shape
     whole = np.zeros((n, n))
     for d in range(min(width, n)):
-        rows = np.arange(d, n)
-        whole[rows, rows - d] = whole[rows - d, rows] = band[d, : n - d]
+        at = np.arange(n - d)
+        whole[at + d, at] = whole[at, at + d] = band[d, : n - d]
     return whole
+
+
+def times(band: Array) -> Times:
+    """Products of a symmetric matrix, lower band (width, n), with vectors, as fast as they go."""
+    if not band.any():
+        return np.zeros_like
+    if band.shape[1] <= _DENSE:
+        return dense(band).dot
+    return partial(band_times, band)
 
 
 def without(band: Array, dofs: Index) -> Array:
@@ -79,14 +102,6 @@ def without(band: Array, dofs: Index) -> Array:
     left[dofs] = 0.0
     rows = np.arange(width)[:, None] + np.arange(n)
     return np.asfortranarray(band * left[rows] * left[:n])
-
-
-def scatter_matrix(
-    place: Index, values: Array, source: Index, shape: tuple[int, int]
-) -> sparse.csr_array:
-    """Sparse matrix that spreads one number a point over the band; duplicates are summed."""
-    entries = sparse.coo_array((values.ravel(), (place.ravel(), source.ravel())), shape=shape)
-    return sparse.csr_array(entries)
 
 
 def general_band(lower: Array) -> Array:
@@ -103,10 +118,10 @@ def general_band(lower: Array) -> Array:
     return whole
 
 
-def add_product(matrix: sparse.csr_array, x: Array, total: Array) -> None:
+def add_product(matrix: sparse.csc_array, x: Array, total: Array) -> None:
     """Add matrix @ x to a total, in place."""
-    if _csr_matvec is None:
+    if _csc_matvec is None:
         total += matrix @ x
     else:
         rows, columns = matrix.shape
-        _csr_matvec(rows, columns, matrix.indptr, matrix.indices, matrix.data, x, total)
+        _csc_matvec(rows, columns, matrix.indptr, matrix.indices, matrix.data, x, total)

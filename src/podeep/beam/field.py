@@ -11,10 +11,16 @@ from functools import cached_property
 from typing import Literal
 
 import numpy as np
-from scipy import sparse
 
 from ..arrays import Array, Index
-from .shapes import functions_at_gauss_points, gauss_points, nodal_functions, shape_functions
+from .rows import Rows
+from .shapes import (
+    functions_at_gauss_points,
+    gauss_points,
+    legendre_integrals,
+    nodal_functions,
+    shape_functions,
+)
 from .strings import Strings, chain
 
 Motion = Literal["value", "slope", "rotation"]
@@ -96,7 +102,7 @@ class Field:
 
     def elements(self, x: Array, tube: Index | int = 0) -> Index:
         """Element of a tube that holds each x; a shared edge belongs to the element above it."""
-        inner = np.searchsorted(self.edges[1:-1], x, side="left")
+        inner = self.edges[1:-1].searchsorted(x, side="left")
         return self.strings.element(inner, tube)
 
     @cached_property
@@ -161,23 +167,21 @@ class Field:
             return values
         return np.asarray((values[:, None, :] @ self.mixture[element])[:, 0])
 
-    def interpolation(
-        self, x: Array, derivative: int = 0, tube: Index | int = 0
-    ) -> sparse.csr_array:
+    def interpolation(self, x: Array, derivative: int = 0, tube: Index | int = 0) -> Rows:
         """Matrix (len(x), size) from unknowns to the field, or a derivative d/dx of it, at x.
 
         tube: its number, one or for each x.
         """
         element, xi = self._inside(x, tube)
         values = shape_functions(xi, self.continuity, self.degree, derivative)
-        return self._matrix(values, element, derivative)
+        return self._rows(values, element, derivative)
 
-    def rotation(self, x: Array, tube: Index | int = 0) -> sparse.csr_array:
+    def rotation(self, x: Array, tube: Index | int = 0) -> Rows:
         """Matrix (len(x), size) from unknowns to the rotation psi of the section at x."""
         element, xi = self._inside(x, tube)
-        return self._matrix(self._turned(xi, element, 0), element, 1)
+        return self._rows(self._turned(xi, element, 0), element, 1)
 
-    def motion(self, x: Array, motion: Motion, tube: Index | int = 0) -> sparse.csr_array:
+    def motion(self, x: Array, motion: Motion, tube: Index | int = 0) -> Rows:
         """Matrix (len(x), size) from unknowns to a motion at x."""
         if motion == "rotation":
             return self.rotation(x, tube)
@@ -188,16 +192,10 @@ class Field:
         element = self.elements(x, tube)
         return element, (x - self.tops[element]) / (0.5 * self.lengths[element]) - 1.0
 
-    def _matrix(self, values: Array, element: Index, derivative: int) -> sparse.csr_array:
+    def _rows(self, values: Array, element: Index, derivative: int) -> Rows:
         """From values of unmixed functions in d/dxi^derivative, (n, local), to all unknowns."""
-        half = 0.5 * self.lengths[element]
-        values = self.mixed(values, element)
-        values = values * (self.scale[element] / half[:, None] ** derivative)
-        pointers = np.arange(len(element) + 1) * self.local
-        return sparse.csr_array(
-            (values.ravel(), self.dofs[element].ravel(), pointers),
-            shape=(len(element), self.size),
-        )
+        scale = self.scale / (0.5 * self.lengths[:, None]) ** derivative
+        return Rows(self.dofs[element], self.mixed(values, element) * scale[element], self.size)
 
     def top_functions(self, points: int, motion: Motion) -> Array:
         """Functions of each element's top node at so many Gauss points, unscaled.
@@ -218,36 +216,35 @@ class Field:
             values = shape_functions(xi, self.continuity, self.degree, derivative)
         return self.mixed(values, element).reshape(count, points, self.local)[..., : self.nodal]
 
-    def _strains(self, xi: Array) -> list[Array]:
-        """Strains of the functions in use at xi in every element, by kind, unscaled.
+    @cached_property
+    def _strains(self) -> list[Array]:
+        """Strains of the functions in use at degree + 1 Gauss points, by kind, unscaled.
 
-        Each has shape (elements, n, local): w' of a stretch; of a deflection psi' and, of a tube
-        soft in shear, psi'', whose energy comes with `softness`. Lengths count in half elements.
+        Each has shape (elements, points, local), or (1, points, local) where all elements are
+        alike: w' of a stretch; of a deflection psi' and, of a tube soft in shear, psi'', whose
+        energy comes with `softness`. Lengths count in half elements.
         """
+        points, order = self.degree + 1, self.continuity + 1
+        if self.shear_stiffness is None:
+            return [functions_at_gauss_points(self.continuity, self.degree, order, points)[None]]
         count = len(self.lengths)
-        element, points = self._everywhere(xi)
-        if self.continuity == 0:
-            values = [shape_functions(points, 0, self.degree, 1)]
-        else:
-            orders = (1,) if self.shear_stiffness is None else (1, 2)
-            values = [self._turned(points, element, order) for order in orders]
-        return [self.mixed(v, element).reshape(count, len(xi), self.local) for v in values]
+        element, places = self._everywhere(gauss_points(points)[0])
+        values = [self._turned(places, element, order) for order in (1, 2)]
+        return [self.mixed(v, element).reshape(count, points, self.local) for v in values]
 
     @cached_property
     def strain_blocks(self) -> list[tuple[Array, Array]]:
         """For each kind of strain its Legendre coefficients by unknown, (elements, n, local), and
         the stiffness of each, (elements, n), N m or N."""
         order = self.continuity + 1
-        xi, weight = gauss_points(self.degree + 1)
         half = 0.5 * self.lengths
         blocks = []
-        for kind, strain in enumerate(self._strains(xi)):
+        for kind, strain in enumerate(self._strains):
             count = self.local - order - kind
             if count < 1:
                 continue
-            legendre = np.polynomial.legendre.legvander(xi, count - 1)
             share = np.arange(count) + 0.5
-            modes = (legendre * weight[:, None]).T @ strain * share[:, None]
+            modes = legendre_integrals(self.degree + 1, count) @ strain * share[:, None]
             modes[np.abs(modes) < 1e-13] = 0.0
             values = modes * self.scale[:, None, :] / half[:, None, None] ** order
             factor = self.stiffness * half * (self.softness if kind else 1.0)
@@ -255,24 +252,16 @@ class Field:
         return blocks
 
     @cached_property
-    def strain_modes(self) -> tuple[sparse.csr_array, Array]:
+    def strain_modes(self) -> tuple[Rows, Array]:
         """Matrix to the Legendre coefficients of strains, and the stiffness of each (N m or N).
 
         Internal forces through them are in exact balance in every element, however short it is:
         rounding of the unknowns makes couples, not forces.
         """
-        matrices = []
-        for values, _ in self.strain_blocks:
-            rows = np.arange(values.shape[0] * values.shape[1]).reshape(values.shape[:2])
-            places = (
-                np.broadcast_to(rows[:, :, None], values.shape).ravel(),
-                np.broadcast_to(self.dofs[:, None, :], values.shape).ravel(),
-            )
-            matrices.append(
-                sparse.coo_array((values.ravel(), places), shape=(rows.size, self.size))
-            )
+        shares = [values.reshape(-1, self.local) for values, _ in self.strain_blocks]
+        dofs = [self.dofs.repeat(values.shape[1], axis=0) for values, _ in self.strain_blocks]
         stiffness = np.concatenate([amounts.ravel() for _, amounts in self.strain_blocks])
-        return sparse.csr_array(sparse.vstack(matrices)), stiffness
+        return Rows(np.concatenate(dofs), np.concatenate(shares), self.size), stiffness
 
     def mass(self, amount: Array, rotary: Array | None = None) -> Array:
         """Consistent mass matrices of the elements, (elements, local, local), kg.
@@ -310,10 +299,10 @@ class Field:
     def element_stiffness(self) -> Array:
         """Matrices of the strain energy, shape (elements, local, local), N/m."""
         order = self.continuity + 1
-        xi, weight = gauss_points(self.degree + 1)
+        weight = gauss_points(self.degree + 1)[1]
         factor = self.stiffness / (0.5 * self.lengths) ** (2 * order - 1)
         matrices = np.zeros((len(self.lengths), self.local, self.local))
-        for kind, strain in enumerate(self._strains(xi)):
+        for kind, strain in enumerate(self._strains):
             energy = np.swapaxes(strain * weight[:, None], 1, 2) @ strain
             matrices += (factor * (self.softness if kind else 1.0))[:, None, None] * energy
         scale = self.scale

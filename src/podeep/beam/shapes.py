@@ -16,7 +16,6 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.polynomial import Legendre, Polynomial
-from numpy.polynomial.polynomial import polyval
 
 from ..arrays import Array
 
@@ -69,12 +68,22 @@ def _table(polynomials: tuple[Polynomial, ...]) -> Array:
     return table
 
 
+def _values(xi: Array, table: Array) -> Array:
+    """Values (n, functions) at xi of polynomials by their table of coefficients."""
+    highest, *lower = table[::-1, :, None]
+    total = np.repeat(highest, len(xi), axis=1)
+    for row in lower:
+        total *= xi
+        total += row
+    return total.T
+
+
 def shape_functions(xi: Array, continuity: int, degree: int, derivative: int = 0) -> Array:
     """Values of all functions of an element, or of a derivative d/dxi of them.
 
     xi: shape (n,). Returns shape (n, functions). `continuity` is 1 for deflection, 0 for stretch.
     """
-    return np.asarray(polyval(xi, _coefficients(continuity, degree, derivative)).T)
+    return _values(xi, _coefficients(continuity, degree, derivative))
 
 
 @lru_cache(maxsize=64)
@@ -91,6 +100,16 @@ def gauss_points(count: int) -> tuple[Array, Array]:
 
 
 @lru_cache(maxsize=16)
+def legendre_integrals(points: int, count: int) -> Array:
+    """Matrix (count, points) from values at Gauss points to their products with Legendre
+    polynomials, integrated over (-1, 1)."""
+    xi, weight = gauss_points(points)
+    return np.ascontiguousarray(
+        (np.polynomial.legendre.legvander(xi, count - 1) * weight[:, None]).T
+    )
+
+
+@lru_cache(maxsize=16)
 def _lagrange(count: int) -> tuple[Polynomial, ...]:
     """The Lagrange polynomials over the Gauss points."""
     xi = gauss_points(count)[0]
@@ -98,9 +117,15 @@ def _lagrange(count: int) -> tuple[Polynomial, ...]:
     return tuple(Polynomial.fromroots(o) / np.prod(x - o) for x, o in zip(xi, others, strict=True))
 
 
+@lru_cache(maxsize=16)
+def _interpolants(count: int) -> Array:
+    """Coefficients of the Lagrange polynomials over the Gauss points."""
+    return _table(_lagrange(count))
+
+
 def gauss_interpolation(xi: Array, count: int) -> Array:
     """Matrix (n, count) from values at `count` Gauss points to their polynomial at each xi."""
-    return np.asarray(polyval(xi, _table(_lagrange(count))).T)
+    return _values(xi, _interpolants(count))
 
 
 def gauss_integrals(xi: Array, count: int) -> tuple[Array, Array]:
@@ -109,12 +134,11 @@ def gauss_integrals(xi: Array, count: int) -> tuple[Array, Array]:
     Returns two arrays of shape (n, count): times the values at the Gauss points they give the
     first and the second integral at each xi, exact for the interpolating polynomial.
     """
-    first, second = _integrals(count)
-    return np.asarray(polyval(xi, first).T), np.asarray(polyval(xi, second).T)
+    both = _values(xi, _integrals(count))
+    return both[:, :count], both[:, count:]
 
 
 @lru_cache(maxsize=16)
-def _integrals(count: int) -> tuple[Array, Array]:
-    """Coefficients of the first and second integrals of the Lagrange polynomials."""
-    first, second = (tuple(p.integ(times, lbnd=-1) for p in _lagrange(count)) for times in (1, 2))
-    return _table(first), _table(second)
+def _integrals(count: int) -> Array:
+    """Coefficients of the first integrals of the Lagrange polynomials, then of the second."""
+    return _table(tuple(p.integ(times, lbnd=-1) for times in (1, 2) for p in _lagrange(count)))

@@ -44,7 +44,7 @@ class Strings:
     def element(self, interval: Index, tube: Index | int) -> Index:
         """The element of a tube in each interval; beyond its ends the nearest it has."""
         first, last = self.reach
-        inside = np.clip(interval, first[tube], last[tube])
+        inside = np.minimum(np.maximum(interval, first[tube]), last[tube])
         return np.asarray(self.carrier[tube, inside])
 
     def joint(self, edge: int, tube: int) -> int:

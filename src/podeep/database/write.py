@@ -20,6 +20,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .. import __version__
+from ..arrays import Array
 from ..errors import UserError
 from .envelope import Values, widen
 from .layout import Grid, Layout
@@ -175,6 +176,16 @@ class Writer:
         self._last = at[-1]
         if self._waiting >= self._block:
             self.flush()
+
+    def widen(self, axis: Array, values: Mapping[str, Array]) -> None:
+        """Widen the envelopes by rows that are computed and not stored.
+
+        axis: their steps or times. Keys are paths as `F1/lateral_displacement`, of all quantities
+        that have an envelope, of all foundations.
+        """
+        for path, rows in values.items():
+            name, quantity = path.rsplit("/", 1)
+            widen(self._envelope, f"{name}/envelope/{quantity}", rows, axis)
 
     @uninterrupted()
     def flush(self) -> None:

@@ -1,4 +1,4 @@
-"""The keywords of what holds and drives the tubes, and of the steps in which it does."""
+"""The keywords of what holds and drives the tubes, of the steps, and of where motion starts."""
 
 from .column import IDS, NOT_NEGATIVE, POSITIVE, Bounds, Column, Keyword, Row
 
@@ -98,6 +98,57 @@ SPUDCAN = Keyword(
     "rotational spring softens as the loads near the yield surface.",
 )
 
+MASS = Keyword(
+    "MASS",
+    "a lumped mass",
+    (
+        Row(
+            "masses",
+            (
+                _IGR,
+                Column("Z", "elevation, on the tube or above it", "m", key="elevation"),
+                Column("M", "mass", "kg", NOT_NEGATIVE, "mass"),
+                *(
+                    Column(
+                        f"J{a}{a}",
+                        f"moment of inertia about {a.lower()}, through the mass",
+                        "kg m2",
+                        NOT_NEGATIVE,
+                        default=0.0,
+                    )
+                    for a in "XYZ"
+                ),
+            ),
+        ),
+    ),
+    "*MASS\n1 -50 350e3 0 4e6 0",
+    "A mass above the top of its tube stands on a rigid arm. It takes part in motion, not in "
+    "statics.",
+)
+
+STIFFNESS = Keyword(
+    "STIFFNESS",
+    "a spring to ground of deflection and slope together",
+    (
+        Row(
+            "springs",
+            (
+                _IGR,
+                _Z,
+                Column("KXX", "force for a deflection", "N/m", NOT_NEGATIVE, "lateral"),
+                Column(
+                    "KXR", "force for a slope, moment for a deflection", "N/rad", key="coupling"
+                ),
+                Column("KRR", "moment for a slope", "N m/rad", NOT_NEGATIVE, "rotational"),
+            ),
+        ),
+    ),
+    "*STIFFNESS\n1 -60 2.6e9 2.3e10 3.5e11",
+    "H = KXX y + KXR y' and M = KXR y + KRR y', in every vertical plane alike. The slope y' is "
+    "over depth, positive down: for what stands for a pile below, KXR is positive, the opposite of "
+    "one that goes with rotations about y. KXX KRR is at least the square of KXR.",
+)
+
 LOAD = Keyword(
     "LOAD",
     "a named point load, in global axes, z up",
@@ -156,6 +207,25 @@ QUASISTATIC = Keyword(
     ),
     "*QUASISTATIC\n1 WEIGHT 1\n2 STORM 0.5 PUSH 1\n3 STORM 1",
     "A name that a step leaves out keeps its last factor, 0 at first. Without *QUASISTATIC there "
-    "is one step with all loads at factor 1.",
+    "is one step with all loads at factor 1. Before a *DYNAMIC, loads that *HARMONIC or "
+    "*TIMESERIES names have the factor 0 in these steps unless a line names them.",
     once=True,
+)
+
+INITIAL = Keyword(
+    "INITIAL",
+    "where a degree of freedom starts in motion",
+    (
+        Row(
+            "starts",
+            (
+                _IGR,
+                _Z,
+                _DOF,
+                Column("VALUE", "displacement or rotation", "m or degrees"),
+                Column("VELOCITY", "how fast it moves", "m/s or degrees/s"),
+            ),
+        ),
+    ),
+    "*INITIAL\n1 -58 X 0.05 0",
 )

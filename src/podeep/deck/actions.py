@@ -1,21 +1,27 @@
-"""The paragraphs of what holds and drives the tubes, and of the steps in which it does."""
+"""The paragraphs of what holds and drives the tubes, and of where these start."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import radians
 
 from ..errors import Place
-from ..scene import Displacement, Load, Spring, Spudcan, Steps, Support
-from .cells import Values, no_data, read_lines, read_row
-from .faults import Faults, nearest
+from ..scene import CoupledSpring, Displacement, Load, Mass, Spring, Spudcan, Start, Support
+from .cells import Values, read_lines
+from .faults import Faults
 from .keywords import KEYWORDS
 from .registry import Registry
 from .scan import Paragraph
 from .structure import ReadTube
 
-_QUASISTATIC = KEYWORDS["QUASISTATIC"]
-_COUNT, _STEP = _QUASISTATIC.rows
+#: keywords that may hold a tube along z, and all that act on tubes
+HOLDING = ("SUPPORT", "SPRING", "SPUDCAN", "DISPLACE")
+ACTING = (*HOLDING, "LOAD", "MASS", "STIFFNESS", "INITIAL")
+
 _FORCES, _MOMENTS = ("FX", "FY", "FZ"), ("MX", "MY", "MZ")
+_INERTIAS = ("JXX", "JYY", "JZZ")
+
+#: a degree of freedom: tube, elevation, DOF
+_Dof = tuple[int, float, str]
 
 
 @dataclass(slots=True)
@@ -23,21 +29,26 @@ class Actions:
     """What holds and drives the tubes, as it is read.
 
     names: spelling of the loads' names by upper case, in the order of the deck; complete: every
-    name could be read. sound: nothing was wrong, but for loads. uses: tubes referred to, with
-    places. held, moved: degrees of freedom (tube, elevation, dof) of supports, displacements.
+    name could be read. sound: nothing was wrong with what may hold a tube. uses: tubes referred to,
+    with places. held, moved, started: degrees of freedom of supports, displacements, starts.
     """
 
     supports: list[Support] = field(default_factory=list)
     springs: list[Spring] = field(default_factory=list)
+    coupled_springs: list[CoupledSpring] = field(default_factory=list)
     spudcans: list[Spudcan] = field(default_factory=list)
+    masses: list[Mass] = field(default_factory=list)
     loads: list[Load] = field(default_factory=list)
     displacements: list[Displacement] = field(default_factory=list)
+    starts: list[Start] = field(default_factory=list)
     names: dict[str, str] = field(default_factory=dict)
     complete: bool = True
     sound: bool = True
     uses: list[tuple[int, Place]] = field(default_factory=list)
-    held: dict[tuple[int, float, str], Place] = field(default_factory=dict)
-    moved: dict[tuple[int, float, str], Place] = field(default_factory=dict)
+    held: dict[_Dof, Place] = field(default_factory=dict)
+    moved: dict[_Dof, Place] = field(default_factory=dict)
+    started: dict[_Dof, Place] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
 
     def act_axially_on(self, tubes: Sequence[int]) -> bool:
         """Whether a support, spring, spudcan or displacement holds one of the tubes along z."""
@@ -51,23 +62,37 @@ class Actions:
 def read_actions(
     paragraphs: Sequence[Paragraph], tubes: Registry[ReadTube], faults: Faults
 ) -> Actions:
-    """All of *SUPPORT, *SPRING, *SPUDCAN, *LOAD and *DISPLACE."""
+    """All that acts on tubes, in the order of the deck."""
     actions = Actions()
     for paragraph in paragraphs:
         lines = read_lines(paragraph, KEYWORDS[paragraph.keyword], faults)
         for values in lines or [Values(paragraph.place, sound=False)]:
             _take(paragraph.keyword, values, actions, tubes, faults)
-    for key, place in actions.moved.items():
-        if key in actions.held:
+    _check_apart(actions.moved, "moved", actions.held, "held by *SUPPORT", actions, faults)
+    _check_apart(actions.started, "started", actions.held, "held by *SUPPORT", actions, faults)
+    _check_apart(actions.started, "started", actions.moved, "moved by *DISPLACE", actions, faults)
+    return actions
+
+
+def _check_apart(
+    dofs: Mapping[_Dof, Place],
+    what: str,
+    others: Mapping[_Dof, Place],
+    how: str,
+    actions: Actions,
+    faults: Faults,
+) -> None:
+    """Tell of degrees of freedom that two keywords give a motion of their own."""
+    for key, place in dofs.items():
+        if key in others:
             tube, elevation, dof = key
             faults.add(
                 place,
-                f"{dof} of tube {tube} at {elevation:g} m is held by *SUPPORT at "
-                f"{actions.held[key]} and moved here",
+                f"{dof} of tube {tube} at {elevation:g} m is {how} at {others[key]} and {what} "
+                "here",
                 "take one of them out",
             )
             actions.sound = False
-    return actions
 
 
 def _take(
@@ -83,8 +108,8 @@ def _take(
         name = actions.names.setdefault(name.upper(), name)
     elif keyword in ("LOAD", "DISPLACE"):
         actions.complete = False
-    if not values.sound or not _on_tube(values, actions, tubes, faults):
-        actions.sound &= keyword == "LOAD"
+    if not values.sound or not _on_tube(keyword, values, actions, tubes, faults):
+        actions.sound &= keyword not in HOLDING
         return
     cells = values.cells
     if keyword == "SPUDCAN":
@@ -99,15 +124,42 @@ def _take(
                 actions.held.setdefault((tube, elevation, dof["DOF"]), where["DOF"])
         case "SPRING":
             actions.springs.append(Spring(tube, elevation, cells["DOF"], cells["K"]))
+        case "STIFFNESS":
+            arguments = values.arguments(KEYWORDS[keyword].rows[0].columns)
+            spring = faults.guarded(lambda: CoupledSpring(**arguments), values.places, values.place)
+            actions.coupled_springs += [spring] if spring else []
+        case "MASS":
+            jxx, jyy, jzz = (cells[c] for c in _INERTIAS)
+            actions.masses.append(Mass(tube, elevation, cells["M"], (jxx, jyy, jzz)))
         case "LOAD":
             fx, fy, fz = (cells[c] for c in _FORCES)
             mx, my, mz = (cells[c] for c in _MOMENTS)
             actions.loads.append(Load(name, tube, elevation, (fx, fy, fz), (mx, my, mz)))
+        case "INITIAL":
+            _start(values, actions, faults)
         case _:
             dof = cells["DOF"]
-            value = radians(cells["VALUE"]) if dof.startswith("R") else cells["VALUE"]
+            value = _turned(dof, cells["VALUE"])
             actions.displacements.append(Displacement(name, tube, elevation, dof, value))
             actions.moved.setdefault((tube, elevation, dof), values.places["DOF"])
+
+
+def _turned(dof: str, value: float) -> float:
+    """A value of a degree of freedom as the scene has it: rotations in radians."""
+    return radians(value) if dof.startswith("R") else value
+
+
+def _start(values: Values, actions: Actions, faults: Faults) -> None:
+    """Take in where a degree of freedom starts; a second one of the same is told."""
+    cells, place = values.cells, values.places["DOF"]
+    tube, elevation, dof = (cells[name] for name in ("IGR", "Z", "DOF"))
+    first = actions.started.setdefault((tube, elevation, dof), place)
+    if first is not place:
+        message = f"{dof} of tube {tube} at {elevation:g} m starts twice, first at {first}"
+        faults.add(place, message, "give it once")
+        return
+    value, velocity = (_turned(dof, cells[name]) for name in ("VALUE", "VELOCITY"))
+    actions.starts.append(Start(tube, elevation, dof, value, velocity))
 
 
 def _spudcan(values: Values, actions: Actions, faults: Faults) -> None:
@@ -123,8 +175,13 @@ def _spudcan(values: Values, actions: Actions, faults: Faults) -> None:
         actions.spudcans.append(made)
 
 
-def _on_tube(values: Values, actions: Actions, tubes: Registry[ReadTube], faults: Faults) -> bool:
-    """Whether a line's tube exists and its elevation lies on it; otherwise it is told."""
+def _on_tube(
+    keyword: str, values: Values, actions: Actions, tubes: Registry[ReadTube], faults: Faults
+) -> bool:
+    """Whether a line's tube exists and its elevation lies on it; otherwise it is told.
+
+    A mass may also stand above the tube, which is noted.
+    """
     before = len(faults.found)
     igr, place = values.cells["IGR"], values.places["IGR"]
     known = tubes.get(igr, place)
@@ -132,61 +189,21 @@ def _on_tube(values: Values, actions: Actions, tubes: Registry[ReadTube], faults
     if known is None or known.span is None:
         return False
     top, tip = known.span
-    if not tip <= values.cells.get("Z", tip) <= top:
+    z = values.cells.get("Z", tip)
+    if keyword == "MASS" and z > top:
+        actions.notes.append(
+            f"the mass of tube {igr} at {z:g} m stands {z - top:g} m above its top, on a rigid arm"
+        )
+    elif keyword == "MASS" and z < tip:
+        message = f"Z is {z:g} m, but tube {igr} ends at {tip:g} m"
+        faults.add(values.places["Z"], message, "give an elevation from sea level, above its tip")
+    elif not tip <= z <= top:
         faults.add(
             values.places["Z"],
-            f"Z is {values.cells['Z']:g} m, but tube {igr} stands from {tip:g} to {top:g} m",
+            f"Z is {z:g} m, but tube {igr} stands from {tip:g} to {top:g} m",
             "give an elevation from sea level, on the tube",
         )
     return len(faults.found) == before
-
-
-def read_steps(paragraph: Paragraph, actions: Actions, faults: Faults) -> Steps | None:
-    """The steps of *QUASISTATIC; None if they are at fault."""
-    before = len(faults.found)
-    names = tuple(actions.names.values())
-    for option in paragraph.options:
-        faults.add(option.place, "*QUASISTATIC has no options", "leave it out")
-    if not paragraph.lines:
-        no_data(paragraph, _STEP, faults)
-        return None
-    first, *more = paragraph.lines
-    if len(first) == 1 and not more:
-        values = read_row(first, _COUNT, _QUASISTATIC, paragraph.place, faults)
-        if not values.sound:
-            return None
-        count = values.cells["NSTEPS"]
-        return Steps(names, tuple((i / count,) * len(names) for i in range(1, count + 1)))
-    now = dict.fromkeys(names, 0.0)
-    factors = []
-    misnumbered = False
-    for expected, line in enumerate(paragraph.lines, start=1):
-        values = read_row(line, _STEP, _QUASISTATIC, paragraph.place, faults)
-        if not misnumbered and values.sound and values.cells["STEP"] != expected:
-            misnumbered = True
-            message = f"step {values.cells['STEP']} stands where step {expected} is expected"
-            faults.add(values.places["STEP"], message, "steps are numbered from 1 without gaps")
-        now |= dict(_factors(values, actions, faults))
-        factors.append(tuple(now.values()))
-    return Steps(names, tuple(factors)) if len(faults.found) == before else None
-
-
-def _factors(values: Values, actions: Actions, faults: Faults) -> Iterator[tuple[str, float]]:
-    """The names of a step with their factors."""
-    seen = set()
-    for cells, places in zip(values.group, values.group_places, strict=True):
-        name = cells.get("NAME")
-        if name is None:
-            continue
-        known = actions.names.get(name.upper())
-        if name.upper() in seen:
-            faults.add(places["NAME"], f"{name} is given twice in this step", "give it once")
-        elif known is not None and "FACTOR" in cells:
-            yield known, cells["FACTOR"]
-        elif known is None and actions.complete and faults.complete:
-            message = f"there is no load or displacement named {name}"
-            faults.add(places["NAME"], message, nearest(name, actions.names.values()))
-        seen.add(name.upper())
 
 
 def likely_data(paragraphs: Sequence[Paragraph]) -> Iterator[str]:
@@ -199,10 +216,3 @@ def likely_data(paragraphs: Sequence[Paragraph]) -> Iterator[str]:
                     f"{place.file}:{place.line} starts with C and is a comment; "
                     f"indent it if {name} is the name of a load"
                 )
-
-
-def idle_names(steps: Steps) -> Iterator[str]:
-    """Notes on loads that no step applies."""
-    for name, factors in zip(steps.names, zip(*steps.factors, strict=True), strict=True):
-        if not any(factors):
-            yield f"{name} has the factor 0 in all steps"

@@ -144,6 +144,16 @@ MODEL = Keyword(
                     default=True,
                 ),
                 Column(
+                    "HYSTERESIS",
+                    "what the soil remembers: ELASTIC nothing, MASING unloading by twice the "
+                    "curve, GAP what the pile has pushed away",
+                    key="hysteresis",
+                    kind="word",
+                    choices=("ELASTIC", "MASING", "GAP"),
+                    named=True,
+                    default="ELASTIC",
+                ),
+                Column(
                     "PATH",
                     "go on beyond a peak, on the branch where the loads fall",
                     key="follow_path",
@@ -157,7 +167,7 @@ MODEL = Keyword(
     "*MODEL, PDELTA, SHEAR=ON, ELEMENTS=40, ORDER=5",
     once=True,
     optioned=True,
-    planned=("LARGE", "HYSTERESIS"),
+    planned=("LARGE",),
 )
 
 SEA = Keyword(

@@ -218,13 +218,21 @@ def convert(cell: Field, column: Column, faults: Faults) -> Any:
     return int(value) if column.kind == "integer" else value
 
 
+def plain_number(text: str) -> float | None:
+    """The number that a text is, as decks write them; None where it is none or too large."""
+    if not _NUMBER.fullmatch(text):
+        return None
+    value = float(text.lower().replace("d", "e"))
+    return value if abs(value) < inf else None
+
+
 def _number(cell: Field, column: Column, faults: Faults) -> float | None:
     """The number that a field is; None, and a fault, where it is none."""
     text = cell.text
+    value = plain_number(text)
+    if value is not None:
+        return value
     if _NUMBER.fullmatch(text):
-        value = float(text.lower().replace("d", "e"))
-        if abs(value) < inf:
-            return value
         faults.add(cell.place, f"{column.name} is {text}, too large a number", column.explained)
     elif _DECIMAL_COMMA.fullmatch(text):
         point = text.replace(",", ".")
@@ -281,9 +289,14 @@ def option_fields(
     return named, flags
 
 
-def read_lines(paragraph: Paragraph, keyword: Keyword, faults: Faults) -> list[Values]:
-    """The values of each line of a keyword whose lines are all alike; one line if it is unique."""
-    row = keyword.rows[0]
+def read_lines(
+    paragraph: Paragraph, keyword: Keyword, faults: Faults, layout: int = 0
+) -> list[Values]:
+    """The values of each line of a keyword whose lines are all alike; one line if it is unique.
+
+    layout: index of the row that the lines are.
+    """
+    row = keyword.rows[layout]
     named, flags = option_fields(paragraph, keyword, row, faults)
     if not paragraph.lines and not named and not flags:
         no_data(paragraph, row, faults)

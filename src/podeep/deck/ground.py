@@ -1,12 +1,13 @@
-"""The paragraphs of the ground: *GROUNDEPTH and *GROUNDPROP, with the curves they call."""
+"""The paragraphs of the ground: *GROUNDEPTH and *GROUNDPROP with their curves, *RADIATION."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any
 
+from ..errors import Place
 from ..scene import Curve, Ground, Interpolation
-from .cells import Values, after, no_data, option_fields, read_row
+from .cells import Values, after, no_data, option_fields, read_lines, read_row
 from .faults import Faults, first_bad
 from .keywords import KEYWORDS
 from .registry import Registry
@@ -56,6 +57,7 @@ def read_ground(
     depths: Depths,
     lateral: Registry[Curve],
     axial: Registry[Curve],
+    dashpots: Mapping[int, float],
     faults: Faults,
 ) -> Ground | None:
     """The ground; None if it or one of its curves is at fault."""
@@ -81,10 +83,30 @@ def read_ground(
             read.cells["IDRE"],
             depths.interpolation,
             **depths.layering,
+            dashpots=MappingProxyType(dashpots),
         ),
         read.places,
         paragraph.place,
     )
+
+
+def read_dashpots(
+    paragraphs: Sequence[Paragraph], lateral: Registry[Curve], faults: Faults
+) -> dict[int, float]:
+    """Dashpots of *RADIATION by their p-y curves, which exist and have one each."""
+    dashpots: dict[int, float] = {}
+    places: dict[int, Place] = {}
+    for paragraph in paragraphs:
+        for values in read_lines(paragraph, KEYWORDS["RADIATION"], faults):
+            if not values.sound:
+                continue
+            id_, place = values.cells["NCUR"], values.places["NCUR"]
+            lateral.get(id_, place)
+            if places.setdefault(id_, place) is not place:
+                message = f"p-y curve {id_} has a dashpot already, at {places[id_]}"
+                faults.add(place, message, "give it one")
+            dashpots[id_] = values.cells["C"]
+    return dashpots
 
 
 def _curve_line(

@@ -1,6 +1,6 @@
 """The keywords of the ground: depths, and the curves at each of them."""
 
-from .column import IDS_OR_NONE, POSITIVE, Bounds, Column, Keyword, Row
+from .column import IDS, IDS_OR_NONE, NOT_NEGATIVE, POSITIVE, Bounds, Column, Keyword, Row
 
 GROUNDEPTH = Keyword(
     "GROUNDEPTH",
@@ -90,4 +90,21 @@ GROUNDPROP = Keyword(
     once=True,
     required=True,
     optioned=True,
+)
+
+RADIATION = Keyword(
+    "RADIATION",
+    "dashpots of p-y curves, for waves in the soil",
+    (
+        Row(
+            "dashpots",
+            (
+                Column("NCUR", "p-y curve", bounds=IDS, kind="integer"),
+                Column("C", "damping", "N s/m2 per metre of width", NOT_NEGATIVE),
+            ),
+        ),
+    ),
+    "*RADIATION\n1 4e5",
+    "C times the width of the tube resists its velocity. It varies linearly between the depths of "
+    "*GROUNDEPTH, and is 0 for a curve that is not named.",
 )

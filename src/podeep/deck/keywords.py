@@ -6,7 +6,17 @@ from textwrap import fill
 from types import MappingProxyType
 
 from ..errors import Fault, UserError
-from .action_keywords import DISPLACE, LOAD, QUASISTATIC, SPRING, SPUDCAN, SUPPORT
+from .action_keywords import (
+    DISPLACE,
+    INITIAL,
+    LOAD,
+    MASS,
+    QUASISTATIC,
+    SPRING,
+    SPUDCAN,
+    STIFFNESS,
+    SUPPORT,
+)
 from .analysis_keywords import (
     ACCURACY,
     DEPTH,
@@ -19,7 +29,16 @@ from .analysis_keywords import (
     TITLE,
 )
 from .column import Column, Keyword, Row
-from .ground_keywords import GROUNDEPTH, GROUNDPROP
+from .ground_keywords import GROUNDEPTH, GROUNDPROP, RADIATION
+from .motion_keywords import (
+    DAMPING,
+    DTREC,
+    DYNAMIC,
+    DYNIMP,
+    HARMONIC,
+    NEWTONDYN,
+    TIMESERIES,
+)
 from .py_keyword import PYCURVE
 from .structure_keywords import CASING, CONTACT, FONDATION, SLAVE, TYPCONTACT
 from .tz_keyword import TZCURVE
@@ -31,9 +50,10 @@ KEYWORDS: Mapping[str, Keyword] = MappingProxyType(
     {
         k.name: k
         for k in (
-            *(TITLE, DEPTH, GROUNDEPTH, PYCURVE, TZCURVE, GROUNDPROP, CASING, FONDATION),
-            *(SLAVE, TYPCONTACT, CONTACT),
-            *(SUPPORT, SPRING, SPUDCAN, LOAD, DISPLACE, QUASISTATIC),
+            *(TITLE, DEPTH, GROUNDEPTH, PYCURVE, TZCURVE, GROUNDPROP, RADIATION),
+            *(CASING, FONDATION, SLAVE, TYPCONTACT, CONTACT),
+            *(SUPPORT, SPRING, STIFFNESS, SPUDCAN, MASS, LOAD, DISPLACE, QUASISTATIC),
+            *(INITIAL, HARMONIC, TIMESERIES, DAMPING, DYNAMIC, DYNIMP, NEWTONDYN, DTREC),
             *(NEWTONSTAT, ACCURACY, MODEL, SEA),
             *(INCLUDE, EXEC, STOP),
         )
@@ -46,10 +66,8 @@ ALIASES: Mapping[str, str] = MappingProxyType(
 
 #: Keywords of the original, or planned, that this version does not read.
 PLANNED: tuple[str, ...] = tuple(
-    """MASS STIFFNESS RADIATION INITIAL HARMONIC TIMESERIES
-    DAMPING DYNAMIC DYNIMP NEWTONDYN DTREC LINE END SOILSTIFF SUCTION MOTION
-    GROUP RISER MOORLINE RIGIBODY RIGIDSTRUC CDDEPTH WAVE FLUID-EX SPRINGPRO TRENCH
-    STIFFAMP""".split()
+    """LINE END SOILSTIFF SUCTION MOTION GROUP RISER MOORLINE RIGIBODY
+    RIGIDSTRUC CDDEPTH WAVE FLUID-EX SPRINGPRO TRENCH STIFFAMP""".split()
 )
 
 #: Of these, the ones that define tubes or loads to which others refer.

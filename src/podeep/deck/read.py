@@ -6,21 +6,28 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from ..scene import Curve, Foundation, Ground, Newton, Numerics, Scene, Sea, Steps, Support
-from .actions import Actions, idle_names, likely_data, read_actions, read_steps
+from ..scene import Curve, Foundation, Ground, Newton, Numerics, Scene, Sea, Support
+from .actions import ACTING, HOLDING, Actions, likely_data, read_actions
 from .curves import axial_curve, lateral_curve
+from .dynamics import read_damping, read_dynamics
 from .faults import Faults
 from .foundations import ReadFoundation, check_foundations, read_foundations
-from .ground import Depths, reacts_axially, read_depths, read_ground, unused_curves
+from .ground import (
+    Depths,
+    reacts_axially,
+    read_dashpots,
+    read_depths,
+    read_ground,
+    unused_curves,
+)
+from .histories import read_histories
 from .keywords import KEYWORDS
 from .paragraphs import Sorted, sort_paragraphs
 from .registry import Registry
 from .scan import scan
+from .steps import idle_names, read_steps
 from .structure import ReadTube, read_tube
 from .ties import Ties, read_ties
-
-_HOLDING = ("SUPPORT", "SPRING", "SPUDCAN", "DISPLACE")
-_ACTIONS = (*_HOLDING, "LOAD")
 
 
 @dataclass(frozen=True)
@@ -56,17 +63,22 @@ def read_deck(path: Path) -> Deck:
         read_tube(paragraph, tubes, faults)
     foundations = _foundations(given, tubes, faults)
 
-    acting = [p for p in scanned.paragraphs if p.keyword in _ACTIONS]
+    acting = [p for p in scanned.paragraphs if p.keyword in ACTING]
     actions = read_actions(acting, tubes, faults)
     actions.complete &= given.complete("LOAD", "DISPLACE")
     _check_uses(given, foundations, tubes, actions, faults)
     numerics = _arguments(given, "ACCURACY") | _model(given, faults)
     if not numerics.get("axial_curves", True):
         notes += _tip_supports(foundations, tubes, actions)
-    elif ground is not None and actions.sound and given.complete(*_HOLDING):
+    elif ground is not None and actions.sound and given.complete(*HOLDING):
         _check_axial(foundations, tubes, ground, actions, faults)
     tied = _ties(given, foundations, tubes, actions, notes, faults)
-    steps = _steps(given, actions, notes, faults)
+    dynamics = read_dynamics(given, notes, faults)
+    damping = read_damping(given.one("DAMPING"), faults)
+    histories = read_histories(given.of["HARMONIC"], given.of["TIMESERIES"], actions, faults)
+    # a history has no effect without motion: then its load is stepped like the others
+    driven = histories.places if given.of["DYNAMIC"] else {}
+    steps = read_steps(given.one("QUASISTATIC"), actions, driven, notes, faults)
     newton = _arguments(given, "NEWTONSTAT")
     faults.check()
 
@@ -88,8 +100,18 @@ def read_deck(path: Path) -> Deck:
         Sea(**_arguments(given, "SEA")),
         tied.ties,
         tied.slidings,
+        tuple(actions.masses),
+        tuple(actions.coupled_springs),
+        tuple(actions.starts),
+        tuple(histories.harmonics),
+        tuple(histories.series),
+        damping,
+        dynamics,
     )
-    notes += [*unused_curves(ground), *_unused_tubes(scene), *idle_names(steps)]
+    notes += actions.notes
+    if dynamics and not (histories.places or actions.starts):
+        notes.append("no history and no start: in motion the loads stay as the steps leave them")
+    notes += [*unused_curves(ground), *_unused_tubes(scene), *idle_names(steps, driven)]
     notes += likely_data(acting)
     return Deck(scene, scanned.text, bool(given.of["EXEC"]), tuple(notes))
 
@@ -125,7 +147,8 @@ def _ground(given: Sorted, notes: list[str], faults: Faults) -> Ground | None:
             notes += found.notes
     depths, curves = given.one("GROUNDEPTH"), given.one("GROUNDPROP")
     known = read_depths(depths, faults) if depths else Depths((), "PARAMETERS", False)
-    return read_ground(curves, known, lateral, axial, faults) if curves else None
+    dashpots = read_dashpots(given.of["RADIATION"], lateral, faults)
+    return read_ground(curves, known, lateral, axial, dashpots, faults) if curves else None
 
 
 def _foundations(given: Sorted, tubes: Registry[ReadTube], faults: Faults) -> list[ReadFoundation]:
@@ -215,19 +238,6 @@ def _deepest(foundation: Foundation, tubes: Registry[ReadTube]) -> tuple[int, fl
     tips = {igr: t.span[1] for igr, t in spans.items() if t is not None and t.span is not None}
     igr = min(tips, key=lambda i: tips[i])
     return igr, tips[igr]
-
-
-def _steps(given: Sorted, actions: Actions, notes: list[str], faults: Faults) -> Steps | None:
-    """The steps; one with all loads in full without *QUASISTATIC; None if they are at fault."""
-    names = tuple(actions.names.values())
-    if not names:
-        notes.append("there is no *LOAD and no *DISPLACE: nothing moves")
-    paragraph = given.one("QUASISTATIC")
-    if paragraph is not None:
-        return read_steps(paragraph, actions, faults)
-    if names:
-        notes.append("without *QUASISTATIC there is one step with all loads at factor 1")
-    return Steps(names, ((1.0,) * len(names),))
 
 
 #: words of *MODEL that exclude each other: what the scene calls their choice, and its values

@@ -1,11 +1,12 @@
 """Deck files become paragraphs: a keyword, its options, and lines of fields with their places.
 
-Nothing here knows what a keyword means, but for the two that change how text is read: *TITLE,
-whose text is raw, and *INCLUDE, which is replaced by the lines of another file.
+Nothing here knows what a keyword means, but for those that change how text is read: *TITLE, whose
+text is raw, *INCLUDE, which is replaced by the lines of another file, and *TIMESERIES, whose lines
+may name a file that holds more of its data.
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -19,6 +20,7 @@ _CUT = re.compile(r"[!&]")
 _COMMENT = re.compile(r"[Cc](?!\w*=)")
 _INCLUDE = re.compile(r"\*INCLUDE(?![^\s,!&])", re.IGNORECASE)
 _FILE = re.compile(r"[\s,]+file\s*=\s*([^!]*[^!\s])\s*(?:!.*)?", re.IGNORECASE)
+_DATA_FILE = re.compile(r"([^!]*?)(?:[\s,]+|^)file\s*=\s*([^!]*)", re.IGNORECASE)
 _TITLE = re.compile(r"\*TITLE(?![^\s,!&])[\s,]*", re.IGNORECASE)
 
 
@@ -56,10 +58,24 @@ class Scanned:
 
 @dataclass(frozen=True, slots=True)
 class _Line:
-    """A line of a file; `included` marks an *INCLUDE, which the lines of its file follow."""
+    """A line of a file.
+
+    included: it is an *INCLUDE, which the lines of its file follow. end: where its data end, and
+    the name of a file begins whose lines follow. data: it holds data alone, no keyword.
+    """
 
     place: Place
     included: bool = False
+    end: int | None = None
+    data: bool = False
+
+    @property
+    def stored(self) -> str:
+        """The line as it reads when the lines of the file that it names follow."""
+        text = self.place.text
+        if self.included:
+            return f"! {text}"
+        return text if self.end is None else f"{text[: self.end]} !{text[self.end :]}"
 
 
 class _Unreadable(Exception):
@@ -76,23 +92,23 @@ def scan(path: Path, faults: Faults) -> Scanned:
     Raises UserError where the deck itself cannot be read; every other fault goes to `faults`.
     """
     try:
-        lines = list(_lines(path, (), faults))
+        lines = list(_with_data(_lines(path, (), faults), faults))
     except _Unreadable as problem:
         message = f"cannot read the deck {path}: {problem.reason}"
         raise UserError(Fault(message, problem.remedy)) from problem
-    text = "".join(f"{'! ' if line.included else ''}{line.place.text}\n" for line in lines)
-    content = [field.place for line in lines for field in _raw(line.place, 0)]
-    end = content[-1] if content else Place(str(path), 1, 1)
+    text = "".join(f"{line.stored}\n" for line in lines)
+    content = (field.place for line in reversed(lines) for field in _raw(line.place, 0))
+    end = next(content, Place(str(path), 1, 1))
     return Scanned(tuple(_paragraphs(lines, faults)), text, end)
 
 
-def _text(path: Path) -> str:
-    """The text of a file, with \\n at the end of each line."""
+def _text(path: Path, what: str = "deck") -> str:
+    """The text of a file, with \\n at the end of each line; `what` it should hold, in words."""
     try:
         if path.is_dir():
-            raise _Unreadable("it is a directory", "name a deck in it")
+            raise _Unreadable("it is a directory", f"name the {what} in it")
         if path.exists() and not path.is_file():
-            raise _Unreadable("it is no regular file", "save the deck to a file")
+            raise _Unreadable("it is no regular file", f"save the {what} to a file")
         data = path.read_bytes()
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
@@ -131,7 +147,7 @@ def _included(place: Place, chain: tuple[Path, ...], faults: Faults) -> Iterator
     if named is None:
         faults.lost_file(place, "*INCLUDE names no file", "write *INCLUDE, file=NAME")
         return
-    where = replace(place, column=named.start(1) + 1, width=len(named[1]))
+    where = place.at(named.start(1) + 1, len(named[1]))
     path = chain[-1].parent / named[1]
     try:
         cycle = any(path.samefile(known) for known in chain)
@@ -145,6 +161,43 @@ def _included(place: Place, chain: tuple[Path, ...], faults: Faults) -> Iterator
         yield from _lines(path, chain, faults)
     except _Unreadable as problem:
         faults.lost_file(where, f"cannot read {str(path)!r}: {problem.reason}", problem.remedy)
+
+
+def _with_data(lines: Iterable[_Line], faults: Faults) -> Iterator[_Line]:
+    """The lines of a deck, with those of the files that hold data of *TIMESERIES after their names.
+
+    They stand in the text of the deck as they would without the file, so that it can be read alone.
+    """
+    series = False
+    for line in lines:
+        text = line.place.text
+        keyword = _KEYWORD.match(text)
+        if keyword:
+            series = keyword[2].upper() == "TIMESERIES"
+        named = _DATA_FILE.match(text) if series and not _COMMENT.match(text) else None
+        owner = named[1][keyword.end() if keyword else 0 :].strip(" \t,") if named else ""
+        if named is None or not owner:
+            yield line
+            continue
+        yield replace(line, end=named.end(1))
+        name = named[2].strip()
+        where = line.place.at(named.start(2) + 1, max(len(name), 1))
+        if name:
+            yield from _data(Path(line.place.file).parent / name, where, faults)
+        else:
+            faults.add(where, "*TIMESERIES names no file", "write *TIMESERIES NAME, file=F")
+
+
+def _data(path: Path, where: Place, faults: Faults) -> Iterator[_Line]:
+    """The lines of a file of data that is named at `where`."""
+    try:
+        text = _text(path, "data")
+    except _Unreadable as problem:
+        faults.add(where, f"cannot read {str(path)!r}: {problem.reason}", problem.remedy)
+        return
+    faults.enter(str(path))
+    for number, line in enumerate(text.removesuffix("\n").split("\n"), start=1):
+        yield _Line(Place(str(path), number, 1, line), data=True)
 
 
 def _paragraphs(lines: Sequence[_Line], faults: Faults) -> Iterator[Paragraph]:
@@ -186,7 +239,7 @@ def _logical(lines: Sequence[_Line], faults: Faults) -> Iterator[_Logical]:
     title = False
     for line in lines:
         place, text = line.place, line.place.text
-        keyword = _KEYWORD.match(text)
+        keyword = None if line.data else _KEYWORD.match(text)
         if title and not (keyword and keyword[2][:1].isalpha()):
             yield _Logical(fields=_raw(place, 0))
             title = False
@@ -207,10 +260,10 @@ def _logical(lines: Sequence[_Line], faults: Faults) -> Iterator[_Logical]:
                 yield _Logical(opened, () if title else _raw(place, named.end()))
                 pending = _Logical()
                 continue
-            opened, begin = _opened(keyword, place, faults)
+            opened, begin = _opened(keyword, place, line.end, faults)
             begin = len(text) if line.included else begin
             pending = _Logical(opened)
-        fields, joins = _fields(place, begin)
+        fields, joins = _fields(place, begin, line.end)
         pending = replace(pending, fields=(*pending.fields, *fields))
         if joins is None:
             yield pending
@@ -220,18 +273,21 @@ def _logical(lines: Sequence[_Line], faults: Faults) -> Iterator[_Logical]:
         yield pending
 
 
-def _opened(found: re.Match[str], place: Place, faults: Faults) -> tuple[Paragraph, int]:
+def _opened(
+    found: re.Match[str], place: Place, limit: int | None, faults: Faults
+) -> tuple[Paragraph, int]:
     """The paragraph that a keyword's line starts, and where its data start."""
     begin, end = len(found[1]), found.end()
-    where = replace(place, column=begin + 1, width=end - begin)
+    where = place.at(begin + 1, end - begin)
     if begin:
         faults.add(where, f"*{found[2]} is indented", "a keyword starts in column 1")
         faults.complete &= found[2].upper() != "INCLUDE"
     options = []
-    while option := _OPTION.match(place.text, end):
+    limit = len(place.text) if limit is None else limit
+    while option := _OPTION.match(place.text, end, limit):
         end = option.end()
         start = option.start(1 if option[1] else 2)
-        at = replace(place, column=start + 1, width=max(end - start, 1))
+        at = place.at(start + 1, max(end - start, 1))
         if option[2] or option[1]:
             options.append(Field(option[2], at, (option[1] or "").upper()))
         else:
@@ -239,14 +295,15 @@ def _opened(found: re.Match[str], place: Place, faults: Faults) -> tuple[Paragra
     return Paragraph(found[2].upper(), where, tuple(options)), end
 
 
-def _fields(place: Place, begin: int) -> tuple[tuple[Field, ...], Place | None]:
-    """The fields of a line from `begin` on, and the place of the & that ends it."""
-    cut = _CUT.search(place.text, begin)
-    end = cut.start() if cut else len(place.text)
+def _fields(place: Place, begin: int, limit: int | None) -> tuple[tuple[Field, ...], Place | None]:
+    """The fields of a line from `begin` to `limit`, and the place of the & that ends it."""
+    limit = len(place.text) if limit is None else limit
+    cut = _CUT.search(place.text, begin, limit)
+    end = cut.start() if cut else limit
     fields = tuple(
         Field(
             found[2],
-            replace(place, column=found.start() + 1, width=found.end() - found.start()),
+            place.at(found.start() + 1, found.end() - found.start()),
             (found[1] or "").upper(),
         )
         for found in _FIELD.finditer(place.text, begin, end)
@@ -260,4 +317,4 @@ def _raw(place: Place, begin: int) -> tuple[Field, ...]:
     """The rest of a line as one field; none where it is blank."""
     text = place.text[begin:].strip()
     start = place.text.index(text, begin)
-    return (Field(text, replace(place, column=start + 1, width=len(text))),) if text else ()
+    return (Field(text, place.at(start + 1, len(text))),) if text else ()

@@ -47,8 +47,8 @@ class Problem:
         """Force vector of the weights, shape (unknowns,)."""
         total = np.zeros(self.system.size)
         for w in self.weights:
-            matrix = self.system.field.interpolation(w.x, 0, w.tube)
-            total += matrix.T @ (w.share * w.force)
+            rows = self.system.field.interpolation(w.x, 0, w.tube)
+            np.add.at(total, rows.dofs, rows.shares * (w.share * w.force)[:, None])
         return total
 
     def load(self, factors: Array) -> Array:
@@ -109,8 +109,9 @@ def assemble(
     piece = np.searchsorted([p.bottom for p in pieces], middle)
     owned, tied = parts(pieces, piece), ties(scene, foundation)
     found = touches(scene, foundation, pieces)
-    bent = weave(pieces, piece, lateral_links(tied, found, pieces))
-    stretched = weave(pieces, piece, tied)
+    links = lateral_links(tied, found, pieces)
+    bent = weave(pieces, piece, links)
+    stretched = bent if links == tied else weave(pieces, piece, tied)
     length = float(np.mean(np.diff(boundaries)))
     soft = summed(bent, owned.shearing) if needs.shear else None
     bending, stretching = summed(bent, owned.bending), summed(stretched, owned.stretching)

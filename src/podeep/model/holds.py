@@ -129,7 +129,8 @@ class Collector:
         for load in self.scene.loads:
             if load.tube in self.tubes:
                 amounts = (*load.force, *load.moment[:2])
-                for dof, amount in zip(moved, amounts, strict=True):
+                acting = [(d, a) for d, a in zip(moved, amounts, strict=True) if a]
+                for dof, amount in acting:
                     for unknown, cosine, length in self.unknowns(load.tube, load.elevation, dof):
                         forces[names.index(load.name), unknown] += amount * cosine / length
         for d in self.scene.displacements:

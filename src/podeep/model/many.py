@@ -7,7 +7,8 @@ import numpy as np
 from scipy.linalg import lapack
 
 from ..arrays import Array
-from .system import NOTHING, System, directed
+from .moduli import NOTHING, directed
+from .system import System
 
 
 def internal_of_many(system: System, states: Array) -> tuple[Array, Array]:
@@ -35,7 +36,7 @@ def solve_many(system: System, moduli: Array, right: Array) -> Array | None:
     States one after the other have a band as narrow as that of one.
     """
     steps, size = right.shape
-    bands = (system._spread @ moduli.reshape(steps, -1).T).T + system._linear
+    bands = (system._spread @ moduli.reshape(steps, -1).T).T + system.linear
     band = bands.reshape(steps * size, system.width).T
     _, x, info = lapack.dpbsv(band, right.ravel(), lower=1, overwrite_ab=1)
     return x.reshape(right.shape) if info == 0 else None

@@ -82,34 +82,34 @@ def _section(tube: Tube, elevation: float) -> Section | None:
     return next((s for s in tube.sections if s.top >= elevation >= s.bottom), None)
 
 
-def bent_lengths(stretch: Stretch, profile: Profile) -> Array:
-    """(4 EI / k)^(1/4) at evenly spread points of a stretch, (samples,), m; inf without soil."""
-    x, width = _samples(stretch)
-    modulus = _modulus(profile.lateral(x, width), width)
+def bent_lengths(pieces: Sequence[Stretch], profile: Profile) -> Array:
+    """(4 EI / k)^(1/4) at the samples of stretches in soil, (stretches, samples), m."""
+    stiffness = [p.total(lambda section: section.bending_stiffness) for p in pieces]
+    with np.errstate(divide="ignore"):  # inf where the soil does not react
+        ratio = 4.0 * np.array(stiffness)[:, None] / _modulus(pieces, profile.lateral)
+        return np.asarray(ratio**0.25)
+
+
+def stretched_lengths(pieces: Sequence[Stretch], profile: Profile) -> Array:
+    """(EA / k)^(1/2) at the samples of stretches in soil, (stretches, samples), m."""
+    stiffness = [p.total(lambda section: section.axial_stiffness) for p in pieces]
     with np.errstate(divide="ignore"):
-        stiffness = stretch.total(lambda section: section.bending_stiffness)
-        return np.asarray((4.0 * stiffness / modulus) ** 0.25)
+        ratio = np.array(stiffness)[:, None] / _modulus(pieces, profile.shaft)
+        return np.asarray(ratio**0.5)
 
 
-def stretched_lengths(stretch: Stretch, profile: Profile) -> Array:
-    """(EA / k)^(1/2) at evenly spread points of a stretch, (samples,), m; inf without soil."""
-    x, width = _samples(stretch)
-    modulus = _modulus(profile.shaft(x, width), width)
-    with np.errstate(divide="ignore"):
-        stiffness = stretch.total(lambda section: section.axial_stiffness)
-        return np.asarray((stiffness / modulus) ** 0.5)
+def _samples(pieces: Sequence[Stretch]) -> Array:
+    """Evenly spread depths in each stretch, (stretches, samples), m."""
+    top, length = (np.array([getattr(p, name) for p in pieces]) for name in ("top", "length"))
+    return np.asarray(top[:, None] + length[:, None] * (np.arange(_SAMPLES) + 0.5) / _SAMPLES)
 
 
-def _samples(stretch: Stretch) -> tuple[Array, Array]:
-    """Evenly spread depths in a stretch and the diameter at each, (samples,)."""
-    x = stretch.top + stretch.length * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
-    return x, np.full(_SAMPLES, stretch.section.outer_diameter)
-
-
-def _modulus(reaction: Reaction, width: Array) -> Array:
-    """Secant modulus at a share of the diameters, N/m2."""
+def _modulus(pieces: Sequence[Stretch], react: Callable[[Array, Array], Reaction]) -> Array:
+    """Secant modulus at a share of the diameters at each sample, (stretches, samples), N/m2."""
+    width = np.repeat([p.section.outer_diameter for p in pieces], _SAMPLES)
     probe = _PROBE * width
-    return np.asarray(np.maximum(reaction.evaluate(probe)[0] / probe, 0.0))
+    force = react(_samples(pieces).ravel(), width).evaluate(probe)[0]
+    return np.asarray(np.maximum(force / probe, 0.0)).reshape(len(pieces), _SAMPLES)
 
 
 def active_length(pieces: Sequence[Stretch], profile: Profile, fade: float) -> float:
@@ -117,14 +117,13 @@ def active_length(pieces: Sequence[Stretch], profile: Profile, fade: float) -> f
 
     It fades as exp(-x) over characteristic lengths.
     """
-    gone = 0.0
-    for piece in pieces:
-        if piece.embedded:
-            step = piece.length / _SAMPLES
-            far = gone + step * np.cumsum(1.0 / bent_lengths(piece, profile))
-            if far[-1] > -np.log(fade):
-                return piece.top + step * (1 + int(np.searchsorted(far, -np.log(fade))))
-            gone = float(far[-1])
+    gone, wet = 0.0, [piece for piece in pieces if piece.embedded]
+    for piece, lengths in zip(wet, bent_lengths(wet, profile), strict=True):
+        step = piece.length / _SAMPLES
+        far = gone + step * np.cumsum(1.0 / lengths)
+        if far[-1] > -np.log(fade):
+            return piece.top + step * (1 + int(np.searchsorted(far, -np.log(fade))))
+        gone = float(far[-1])
     return pieces[-1].bottom
 
 
@@ -133,18 +132,13 @@ def densities(pieces: Sequence[Stretch], profile: Profile, active: float) -> lis
 
     active: depth below which the deflection asks for none, m.
     """
-    travelled, found = 0.0, []
-    for piece in pieces:
-        if not piece.embedded:
-            found.append(np.zeros(_SAMPLES))
-            continue
-        bent = np.where(_samples(piece)[0] < active, 1.0 / bent_lengths(piece, profile), 0.0)
-        density = np.maximum(bent, 1.0 / stretched_lengths(piece, profile))
-        step = piece.length / _SAMPLES
-        gone = travelled + step * (np.cumsum(density) - 0.5 * density)
-        travelled += step * float(density.sum())
-        found.append(density / (1.0 + _COARSEN * gone))
-    return found
+    wet = [piece for piece in pieces if piece.embedded]
+    bent = np.where(_samples(wet) < active, 1.0 / bent_lengths(wet, profile), 0.0)
+    density = np.maximum(bent, 1.0 / stretched_lengths(wet, profile))
+    passed = density * np.array([piece.length / _SAMPLES for piece in wet])[:, None]
+    gone = np.cumsum(passed).reshape(passed.shape) - 0.5 * passed
+    found = iter(density / (1.0 + _COARSEN * gone))
+    return [next(found) if piece.embedded else np.zeros(_SAMPLES) for piece in pieces]
 
 
 def divide(piece: Stretch, density: Array, count: int) -> Array:

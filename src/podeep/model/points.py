@@ -1,13 +1,12 @@
 """Where reactions act on a field."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import sparse
 
 from ..arrays import Array, Index
 from ..beam.field import Field, Motion
+from ..beam.rows import Rows
 from ..soil.reaction import Reaction
 from .contact import Friction
 
@@ -40,25 +39,11 @@ class Points:
         law = self.reaction.laws[0].law if self.reaction.laws else None
         return law if isinstance(law, Friction) else None
 
-    def matrix(self, field: Field) -> sparse.csr_array:
-        """From the unknowns to the motion at each point, (points, unknowns)."""
-        return stacked([self.rows(field)], field.size)
-
-    def rows(self, field: Field) -> tuple[Index, Array]:
-        """Unknowns that the motion at each point consists of, and their shares, (points, n)."""
-        matrices = [field.motion(self.x, self.motion, self.tube)]
-        if self.against is not None:
-            matrices.append(-field.motion(self.x, self.motion, self.against))
-        shape = len(self.x), field.local
-        split = [(m.indices.reshape(shape), m.data.reshape(shape)) for m in matrices]
-        dofs, shares = (np.concatenate(parts, axis=1) for parts in zip(*split, strict=True))
-        return dofs.astype(np.intp), shares
-
-
-def stacked(rows: Sequence[tuple[Index, Array]], size: int) -> sparse.csr_array:
-    """Matrix from the unknowns to the motions at all points."""
-    matrices = [
-        sparse.csr_array((v.ravel(), d.ravel(), np.arange(len(d) + 1) * d.shape[1]), (len(d), size))
-        for d, v in rows
-    ]
-    return sparse.csr_array(sparse.vstack([sparse.csr_array((0, size)), *matrices]))
+    def rows(self, field: Field) -> Rows:
+        """Matrix (points, unknowns) from the unknowns to the motion at each point."""
+        own = field.motion(self.x, self.motion, self.tube)
+        if self.against is None:
+            return own
+        other = field.motion(self.x, self.motion, self.against)
+        dofs = np.concatenate([own.dofs, other.dofs], axis=1)
+        return Rows(dofs, np.concatenate([own.shares, -other.shares], axis=1), field.size)

@@ -5,17 +5,17 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 
 import numpy as np
-from scipy import sparse
 
 from ..arrays import Array, Index
 from ..beam.field import Field
+from ..beam.rows import Rows
 from ..beam.strings import summed
 from ..scene import Section
 from ..soil.reaction import Reaction
 from .assemble import Model
+from .moduli import secant
 from .points import Points
 from .recover import EndForces, Spread, end_forces, internal_forces
-from .system import secant
 
 
 def axial_ends(model: Model, axial: Array, deflection: Array) -> EndForces:
@@ -46,7 +46,7 @@ def apart(model: Model, deflection: Array, points: Points) -> Array:
     """How far the axes of two tubes stand apart at points between them, (..., points), m."""
     system = model.lateral.system
     unknowns = deflection.reshape(*deflection.shape[:-1], -1, system.components)
-    moved = product(np.moveaxis(unknowns, -1, 0), points.matrix(system.field))
+    moved = product(np.moveaxis(unknowns, -1, 0), points.rows(system.field))
     return np.asarray(np.linalg.norm(moved, axis=0))
 
 
@@ -113,14 +113,20 @@ class Results:
         count = self.model.needs.components
         return np.moveaxis(self.lateral.reshape(len(self.lateral), -1, count), 2, 1)
 
+    @cached_property
+    def _outer(self) -> tuple[Array, Index, Array]:
+        """Bottom, outermost tube and its diameter of each stretch, (stretches,)."""
+        pieces = self.model.pieces
+        widths = np.array([p.section.outer_diameter for p in pieces])
+        return np.array([p.bottom for p in pieces]), np.array([p.outermost for p in pieces]), widths
+
     def piece(self, x: Array) -> Index:
         """Stretch that holds each x; a shared end belongs to the one above it."""
-        bottoms = np.array([p.bottom for p in self.model.pieces[:-1]])
-        return np.asarray(np.searchsorted(bottoms, x, side="left"))
+        return self._outer[0][:-1].searchsorted(x, side="left")
 
     def outermost(self, x: Array) -> Index:
         """Number of the outermost tube at depths x, (len(x),)."""
-        return np.array([p.outermost for p in self.model.pieces])[self.piece(x)]
+        return self._outer[1][self.piece(x)]
 
     def sections(self, x: Array, tube: int) -> list[Section]:
         """Section of a tube at each of some depths that it reaches."""
@@ -162,8 +168,7 @@ class Results:
 
     def diameter(self, x: Array) -> Array:
         """Diameter of the outermost tube at depths x, m; at a step of diameter that above it."""
-        widths = np.array([p.section.outer_diameter for p in self.model.pieces])
-        return widths[self.piece(x)]
+        return self._outer[2][self.piece(x)]
 
     def lateral_reaction(self, x: Array) -> Array:
         """Soil reaction by component at embedded depths, shape (steps, components, len(x)), N/m."""
@@ -263,7 +268,7 @@ def reacted(u: Array, reaction: Reaction) -> Array:
     return np.asarray(secant(force, distance, modulus)[:, None] * u)
 
 
-def product(unknowns: Array, matrix: sparse.csr_array) -> Array:
+def product(unknowns: Array, matrix: Rows) -> Array:
     """Apply an interpolation matrix to the last axis of stacked unknowns."""
     flat = unknowns.reshape(-1, unknowns.shape[-1])
-    return np.asarray((matrix @ flat.T).T).reshape(*unknowns.shape[:-1], -1)
+    return (matrix @ flat.T).T.reshape(*unknowns.shape[:-1], -1)

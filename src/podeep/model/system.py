@@ -11,6 +11,7 @@ import itertools
 from collections.abc import Iterable, Sequence
 from copy import copy
 from functools import cached_property
+from typing import Protocol, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -18,10 +19,12 @@ from scipy import sparse
 from scipy.linalg import lapack
 
 from ..arrays import Array, Index
-from ..beam.band import add_product, band_place, bandwidth, element_band, scatter_matrix
+from ..beam.band import add_product, band_place, bandwidth, element_band, pairs, without
 from ..beam.field import Field
+from ..beam.rows import Rows, stacked
 from ..soil.reaction import Reaction
-from .points import Points, stacked
+from .moduli import NOTHING, directed, secant
+from .points import Points
 from .springs import Spring, springs_of
 
 _FAR = 0.1  # displacement at which any soil is taken to have its capacity, m: for directions alone
@@ -30,9 +33,18 @@ _FIRST = 1e-3  # displacement whose secants take a state from rest, m
 _STEEP = 100.0  # times these secants from which the tangent at rest counts as infinite
 _TINY = 1e-6  # displacement whose secant the tangent at rest exceeds by far if it is infinite, m
 _INFINITE = 2.0  # times that secant
-NOTHING = 1e-30  # least distance of two components, m: there the secant is the tangent
 _SHARE = 1e-4  # of the secant: least modulus where a tangent has to be made positive definite
-_DENSE = 40_000  # entries below which a dense product beats a sparse one (call overhead)
+
+
+#: Of points at a state: their motion, its size, force and modulus along it, and p / r across it.
+Reached: TypeAlias = tuple[Array, Array, Array, Array, Array | None]
+
+
+class Evaluated(Protocol):
+    """A reaction at points, as it is evaluated."""
+
+    def evaluate(self, u: Array) -> tuple[Array, Array]:
+        """Force and its derivative at motions u."""
 
 
 class System:
@@ -54,24 +66,21 @@ class System:
         weight = np.concatenate([p.weight for p in points]) if points else np.zeros(0)
         self.weight = weight
         rows = [p.rows(field) for p in points]
-        shape = stacked(rows, field.size)
         self.springs = springs_of(springs, self.size)
         self._build_tangent(rows)
-        weighted = sparse.csr_array((shape * weight[:, None]).T)
         modes, stiffness = field.strain_modes
-        stress = sparse.csr_array((modes * stiffness[:, None]).T)
         # displacements at the points and strains at once; then the forces of both at once
-        self._observe = _compact(sparse.csr_array(sparse.vstack([shape, modes])))
-        self._balance = _compact(sparse.csr_array(sparse.hstack([weighted, stress])))
-        self._count = len(weight)
-        moduli = [self._capacity_modulus(p) for p in points]
-        self._capacity_moduli = np.concatenate([np.zeros(0), *moduli])
+        self._observe = stacked([*rows, modes], field.size)
+        factors = np.concatenate([weight, stiffness])
+        self._balance = _transposed(self._observe * factors[:, None])
+        self._count, self._at_rest = len(weight), self.points
         self.softening = 1.0
         self._at: Array | None = None
+        self.reached: Reached
 
-    def _build_tangent(self, points: Sequence[tuple[Index, Array]]) -> None:
+    def _build_tangent(self, points: Sequence[Rows]) -> None:
         field, m = self.field, self.components
-        coupled = [field.dofs, *(dofs for dofs, _ in points if len(dofs))]
+        coupled = [field.dofs, *(rows.dofs for rows in points if len(rows.dofs))]
         self.width = max(bandwidth(dofs) for dofs in coupled) * m
         storage = self.width * self.size
         free = np.ones(self.size, dtype=bool)
@@ -85,7 +94,7 @@ class System:
         linear *= keep
         held_place = np.asarray(self.held) * self.width
         linear[held_place] = 1.0
-        self._linear = linear
+        self.linear = linear
         self._spread = self._spreading(points, keep, storage)
 
     def _kept(self, free: npt.NDArray[np.bool_]) -> Array:
@@ -96,40 +105,33 @@ class System:
         kept = inside & free[column] & free[np.minimum(row, self.size - 1)]
         return kept.astype(np.float64)
 
-    def _spreading(
-        self, points: Sequence[tuple[Index, Array]], keep: Array, storage: int
-    ) -> sparse.csr_array:
-        """Matrix from the moduli at the points to the band they add to."""
-        m, count = self.components, len(self.weight)
-        places, entries, sources = [np.zeros(0, np.intp)], [np.zeros(0)], [np.zeros(0, np.intp)]
+    def _spreading(self, points: Sequence[Rows], keep: Array, storage: int) -> sparse.csc_array:
+        """Matrix from the moduli at the points to the band they add to, a column for each."""
+        m = self.components
+        places, entries, counts = [np.zeros(0, np.intp)], [np.zeros(0)], [np.zeros(1, np.intp)]
 
-        def add(rows: Index, columns: Index, entry: Array, source: Index) -> None:
+        def add(rows: Index, columns: Index, entry: Array) -> None:
             places.append(band_place(rows, columns, self.width).ravel())
             entries.append(entry.ravel())
-            sources.append(np.broadcast_to(source, entry.shape).ravel())
+            counts.append(np.full(len(entry), entry.shape[1]))
 
-        for (dofs, shares), at in zip(points, self._slices, strict=True):
-            weighted, local = shares * self.weight[at, None], dofs.shape[1]
-            source = np.arange(at.start, at.stop)[:, None]
-            i, j = np.tril_indices(local)
-            rows, columns = np.maximum(dofs[:, i], dofs[:, j]), np.minimum(dofs[:, i], dofs[:, j])
-            twice = 1.0 + ((rows == columns) & (i != j))  # one unknown of both tubes
-            for c in range(m):  # direct terms: component c with itself
-                entry = twice * shares[:, i] * weighted[:, j]
-                add(rows * m + c, columns * m + c, entry, source + c * count)
-            if m == 2:  # cross terms: component 1 of i with component 0 of j, and the reverse
-                first, second = (a.ravel() for a in np.indices((local, local)))
-                one, zero = dofs[:, first] * 2 + 1, dofs[:, second] * 2
-                entry = shares[:, first] * weighted[:, second]
-                add(np.maximum(one, zero), np.minimum(one, zero), entry, source + 2 * count)
-        place = np.concatenate(places)
-        kinds = 1 if m == 1 else 3
-        return scatter_matrix(
-            place,
-            np.concatenate(entries) * keep[place],
-            np.concatenate(sources),
-            (storage, kinds * count),
-        )
+        weighted = [
+            p.shares * self.weight[at, None] for p, at in zip(points, self._slices, strict=True)
+        ]
+        for c in range(m):  # direct terms: component c with itself
+            for p, moved in zip(points, weighted, strict=True):
+                i, j, rows, columns = pairs(p.dofs)
+                twice = 1.0 + ((rows == columns) & (i != j))  # one unknown of both tubes
+                add(rows * m + c, columns * m + c, twice * p.shares[:, i] * moved[:, j])
+        if m == 2:  # cross terms: component 1 of i with component 0 of j, and the reverse
+            for p, moved in zip(points, weighted, strict=True):
+                first, second = (a.ravel() for a in np.indices((p.dofs.shape[1],) * 2))
+                one, zero = p.dofs[:, first] * 2 + 1, p.dofs[:, second] * 2
+                entry = p.shares[:, first] * moved[:, second]
+                add(np.maximum(one, zero), np.minimum(one, zero), entry)
+        place, pointers = np.concatenate(places), np.cumsum(np.concatenate(counts))
+        entry = np.concatenate(entries) * keep[place]
+        return sparse.csc_array((entry, place, pointers), (storage, len(pointers) - 1))
 
     @cached_property
     def length(self) -> float:
@@ -150,7 +152,7 @@ class System:
 
     def stable(self) -> bool:
         """Whether the tangent at the last `internal` is positive definite."""
-        modulus = self._state[3]
+        modulus = self.reached[3]
         return self._solve(modulus, np.zeros(self.size)) is not None
 
     def outer_forces(self, q: Array, load: Array) -> Array:
@@ -166,25 +168,49 @@ class System:
         change[self.held] = 0.0
         other.softening, other.springs = factor, self.springs.stiffer(change)
         other._at = None
-        other._linear = self._linear.copy()
-        other._linear[:: self.width] += change
+        other.linear = self.linear.copy()
+        other.linear[:: self.width] += change
         other.diagonal = self.diagonal + change
         return other
+
+    def stiffened(self, more: Array, reaction: Evaluated | None = None) -> "System":
+        """The same system whose tangent, not whose forces, has a matrix more.
+
+        more: lower band, shape (width, size). reaction: of all points, in place of their own.
+        """
+        other = copy(self)
+        other.linear = self.linear + without(more, self.held).ravel(order="F")
+        other._at = None
+        if reaction is not None:
+            other.__dict__["_together"] = reaction
+        return other
+
+    def spread(self, modulus: Array) -> Array:
+        """Lower band, (width, size), of what moduli at the points, alike all around, add up to."""
+        moduli = modulus if self.components == 1 else self._vector_moduli(modulus, modulus)
+        band = np.zeros(self.width * self.size)
+        add_product(self._spread, moduli, band)
+        return band.reshape((self.width, self.size), order="F")
 
     def displacement(self, q: Array) -> Array:
         """The field at the Gauss points, shape (points, components)."""
         return np.asarray((self._observe @ q.reshape(-1, self.components))[: self._count])
 
+    @cached_property
+    def _capacity_moduli(self) -> Array:
+        """Moduli for directions alone, of the reactions that the system was built with."""
+        return np.concatenate([np.zeros(0), *map(self._capacity_modulus, self._at_rest)])
+
     def _capacity_modulus(self, points: Points) -> Array:
         """Share of the bound of the reaction at some points, (n,), or its last modulus."""
         bound, leader = points.reaction.capacity, points.follows
         if leader is not None:
-            bound = bound * self.points[leader].reaction.capacity
+            bound = bound * self._at_rest[leader].reaction.capacity
         last = points.reaction.evaluate(np.full(len(bound), _FURTHEST))[1]
         return np.asarray(np.where(np.isfinite(bound), bound / _FAR, last))
 
     @cached_property
-    def _together(self) -> Reaction | None:
+    def _together(self) -> Evaluated | None:
         """All reactions as one; None where one follows another or changes with the step."""
         if any(p.compressed or p.follows is not None for p in self.points):
             return None
@@ -192,7 +218,7 @@ class System:
 
     def total_reaction(self) -> float:
         """Magnitudes of the reaction at the last `internal`, added up, N (N m of rotations)."""
-        return float(self.weight @ np.abs(self._state[2]))
+        return float(self.weight @ np.abs(self.reached[2]))
 
     def react(self, u: Array) -> tuple[Array, Array]:
         """Reaction and modulus at signed displacements or distances u, shape (..., points).
@@ -228,7 +254,7 @@ class System:
             force, modulus = self.react(distance)
             across = force / distance
             seen[:count] *= across[:, None]
-        self._at, self._state = q, (u, distance, force, modulus, across)
+        self._at, self.reached = q, (u, distance, force, modulus, across)
         inner: Array = self._balance.dot(seen).ravel()
         if self.springs.any:
             inner += self.springs.forces(q)
@@ -243,7 +269,7 @@ class System:
         that has to close): the energy still falls along the answer, and the residual that decides
         on equilibrium stays the exact one.
         """
-        _, distance, force, modulus, _ = self._state
+        _, distance, force, modulus, _ = self.reached
         x = self._solve(modulus, right)
         if x is None:
             some = _SHARE * np.abs(secant(force, distance, modulus))
@@ -256,7 +282,7 @@ class System:
 
     def solve_by_secants(self, right: Array) -> Array | None:
         """Solve with the secant moduli at the last `internal`; None for a mechanism."""
-        _, distance, force, modulus, _ = self._state
+        _, distance, force, modulus, _ = self.reached
         secants = secant(force, distance, modulus)
         return self._solve(secants, right, across=secants)
 
@@ -302,13 +328,13 @@ class System:
         """Lower band of the matrix with these moduli, shape (width, size), Fortran order."""
         if self.components == 2:
             modulus = self._vector_moduli(modulus, across)
-        band = self._linear.copy()
+        band = self.linear.copy()
         add_product(self._spread, modulus, band)
         return band.reshape((self.width, self.size), order="F")
 
     def tangent(self) -> Array:
         """Lower band of the exact tangent at the last `internal`, held unknowns apart from it."""
-        return self._band(self._state[3])
+        return self._band(self.reached[3])
 
     def blunted(self, displacement: float) -> bool:
         """Make the tangent at the last `internal` a secant where it has no bound; whether it had.
@@ -317,19 +343,19 @@ class System:
         is far steeper than its secant there. The secant at the given displacement (m) takes its
         place.
         """
-        u, distance, force, modulus, across = self._state
+        u, distance, force, modulus, across = self.reached
         places = np.outer((_TINY, displacement), np.ones(self._count))
         near, far = np.abs(self.react(places)[0]) / places
         steep = (np.abs(distance) < _TINY) & (modulus > _INFINITE * near)
         modulus = np.where(steep, far, modulus)
         if across is not None:
             across = np.where(steep, far, across)
-        self._at, self._state = None, (u, distance, force, modulus, across)
+        self._at, self.reached = None, (u, distance, force, modulus, across)
         return bool(steep.any())
 
     def tangent_times(self, move: Array) -> Array:
         """What the last `internal` grows by along a small move of all unknowns, held ones too."""
-        modulus, count = self._state[3], self._count
+        modulus, count = self.reached[3], self._count
         if self.components == 1:
             seen = self._observe @ move
             seen[:count] *= modulus
@@ -345,39 +371,15 @@ class System:
         """xx, yy and xy moduli, one after the other, of a reaction along the displacement."""
         if across is along:
             return np.concatenate([across, across, np.zeros(self._count)])
-        u, distance, _, _, exact = self._state
+        u, distance, _, _, exact = self.reached
         if across is None:
             assert exact is not None
             across = exact
         return directed(along, across, u, distance).ravel()
 
 
-def directed(along: Array, across: Array, u: Array, distance: Array) -> Array:
-    """xx, yy and xy moduli, shape (..., 3, count), of moduli along displacements and across them.
-
-    along, across, distance: shape (..., count); u: (..., count, 2), of no length 0.
-    """
-    moduli = np.empty((*along.shape[:-1], 3, along.shape[-1]))
-    xx, yy, xy = moduli[..., 0, :], moduli[..., 1, :], moduli[..., 2, :]
-    share = along - across
-    share /= distance
-    share /= distance
-    x, y = u[..., 0], u[..., 1]
-    np.multiply(share, x, out=xx)
-    np.multiply(xx, y, out=xy)
-    xx *= x
-    share *= y
-    np.multiply(share, y, out=yy)
-    xx += across
-    yy += across
-    return moduli
-
-
-def _compact(matrix: sparse.csr_array) -> sparse.csr_array | Array:
-    """The matrix as it multiplies fastest."""
-    return matrix.toarray() if matrix.shape[0] * matrix.shape[1] <= _DENSE else matrix
-
-
-def secant(force: Array, u: Array, modulus: Array) -> Array:
-    """force / u, with the exact limit at u = 0, where it is the modulus."""
-    return np.divide(force, u, out=modulus.copy(), where=u != 0.0)
+def _transposed(matrix: sparse.csr_array | Array) -> sparse.csr_array | Array:
+    """The transpose with its own rows side by side in memory."""
+    if isinstance(matrix, np.ndarray):
+        return np.ascontiguousarray(matrix.T)
+    return sparse.csr_array(matrix.T)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array, Index
-from ..beam.strings import Strings, woven
+from ..beam.strings import Strings, chain, woven
 from ..errors import Fault, UserError
 from ..scene import Foundation, Scene, Section, Sliding
 from .mesh import TOUCH, Stretch
@@ -127,6 +127,8 @@ def lateral_links(
 
 def weave(pieces: Sequence[Stretch], piece: Index, links: Sequence[Link]) -> Strings:
     """The elements of all tubes; piece: index of the stretch of each interval, rising."""
+    if len(pieces[0].sections) == 1:
+        return chain(len(piece))
     groups = np.array([_groups(p, links) for p in pieces])
     over = groups[piece]
     last = len(piece)

@@ -12,7 +12,8 @@ import numpy as np
 
 from ..arrays import Array
 from ..errors import InvalidData
-from .backbone import Points, Polyline, TableLaw, Values
+from .backbone import TableLaw
+from .polyline import Points, Polyline, Values
 
 #: t-z: (w/D, t/tmax) up to the peak; the residual is reached at w/D = 0.02
 _FRICTION: Points = ((0, 0), (0.0016, 0.3), (0.0031, 0.5), (0.0057, 0.75), (0.008, 0.9), (0.01, 1))

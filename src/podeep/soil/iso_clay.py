@@ -10,7 +10,8 @@ import numpy as np
 
 from ..arrays import Array, Index
 from ..errors import InvalidData
-from .backbone import Polyline, TableLaw, Values
+from .backbone import TableLaw
+from .polyline import Polyline, Values
 
 _N1, _N2 = 12.0, 3.22
 _LEAST_D = 14.5

@@ -6,6 +6,7 @@ from types import MappingProxyType
 from typing import ClassVar
 
 from ..arrays import Array
+from .polyline import Polyline
 
 
 class Law(ABC):
@@ -32,6 +33,11 @@ class Law(ABC):
     @abstractmethod
     def capacity(self) -> Array:
         """Bound of |force| at each point, shape (n,); inf where a law has none."""
+
+    @property
+    def polyline(self) -> Polyline | None:
+        """The straight lines that the law is; None where it is more."""
+        return None
 
     @property
     def derived(self) -> Mapping[str, Array]:

@@ -29,7 +29,7 @@ class Layers:
 
     def index(self, depth: Array) -> Index:
         """Index of the layer of each depth, from 0."""
-        return np.asarray(np.searchsorted(self.top[1:], depth, side="left"), dtype=np.intp)
+        return self.top[1:].searchsorted(depth, side="left")
 
     def share(self, depth: Array) -> Array:
         """How far down in its layer each depth lies, 0 to 1; 0 in the endless one."""
@@ -65,15 +65,20 @@ class Spread:
         top, bottom = self.ends[:, layer]
         return np.asarray(top + self.layers.share(depth) * (bottom - top))
 
+    @cached_property
+    def _sums(self) -> tuple[Array, Array]:
+        """Half the rise with depth in each layer, and the integral down to its top, (layers,)."""
+        thickness = self.layers.thickness
+        rise = (self.ends[1] - self.ends[0]) / thickness
+        whole = self.ends.mean(axis=0)[:-1] * thickness[:-1]
+        return 0.5 * rise, np.concatenate(([0.0], np.cumsum(whole)))
+
     def integral(self, depth: Array) -> Array:
         """Integrals from the mudline to depths, shape (n,)."""
         depth = np.asarray(depth, dtype=float)
-        tops, thickness = self.layers.top, self.layers.thickness
-        rise = (self.ends[1] - self.ends[0]) / thickness
-        whole = self.ends.mean(axis=0)[:-1] * thickness[:-1]
-        above = np.concatenate(([0.0], np.cumsum(whole)))
+        half_rise, above = self._sums
         layer = self.layers.index(depth)
-        inside = depth - tops[layer]
-        mean = self.ends[0, layer] + 0.5 * rise[layer] * inside
+        inside = depth - self.layers.top[layer]
+        mean = self.ends[0, layer] + half_rise[layer] * inside
         partial = np.multiply(inside, mean, out=np.zeros(depth.shape), where=inside > 0.0)
         return np.asarray(above[layer] + partial)

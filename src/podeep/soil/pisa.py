@@ -11,9 +11,9 @@ import numpy as np
 
 from ..arrays import Array
 from ..errors import InvalidData
-from .backbone import Values
 from .law import Law
 from .pisa_fits import DUNKIRK, SITES, Fits, Reaction
+from .polyline import Values
 
 _LEAST = 1e-3  # of k and Yu, where the fits are left far outside their range
 _TINY = 1e-300  # far under any term it is added to; decides what 0/0 is

@@ -11,7 +11,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from ..arrays import Array
-from .backbone import Values
+from .polyline import Values
 
 
 class Fit(NamedTuple):

@@ -1,9 +1,10 @@
 """The soil profile: which laws act at which depth, and with which parameters."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from types import MappingProxyType
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -33,18 +34,39 @@ from .surroundings import WEIGHT, Family, Surroundings
 #: options of a curve that no law takes: they are for the capacity
 _OTHER_OPTIONS = frozenset({"plug"})
 
+_T = TypeVar("_T", Array, Index)
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Piece:
-    """Points of one layer under one law, before they join those of other layers."""
+    """Points under one law, of one layer before they join those of others."""
 
     curve: Curve
     ids: tuple[int, ...]
-    layer: int
+    layer: Index
     at: Index
     weight: Array
     depth: Array
     parameters: Mapping[str, Array]
+
+    @classmethod
+    def joined(cls, pieces: "Sequence[_Piece]") -> "_Piece":
+        """Pieces of several layers as one, its points rising."""
+        order = np.argsort(np.concatenate([piece.at for piece in pieces]))
+
+        def whole(parts: list[_T]) -> _T:
+            return np.concatenate(parts)[order]
+
+        curve = pieces[0].curve
+        return cls(
+            curve,
+            tuple(dict.fromkeys(i for piece in pieces for i in piece.ids)),
+            whole([piece.layer for piece in pieces]),
+            whole([piece.at for piece in pieces]),
+            whole([piece.weight for piece in pieces]),
+            whole([piece.depth for piece in pieces]),
+            {n: whole([piece.parameters[n] for piece in pieces]) for n in curve.parameters},
+        )
 
 
 class Profile:
@@ -55,13 +77,22 @@ class Profile:
     vary linearly and the law is evaluated at the true depth; otherwise loads vary linearly.
 
     embedded_length: of the tube, m, for the laws that depend on it. axial: whether t-z and Q-z
-    curves react. Raises UserError where a curve cannot be evaluated, naming it and the remedy.
+    curves react. dynamic: in motion, for which user rows of p-y may have a curve of their own; by
+    the ground's rule 2 it is the static one there too, by rule 3 the other one in statics too.
+    Where a curve has no other, both are one: t-z and Q-z never have.
+    Raises UserError where a curve cannot be evaluated, naming it and the remedy.
     """
 
     def __init__(
-        self, ground: Ground, embedded_length: float | None = None, axial: bool = True
+        self,
+        ground: Ground,
+        embedded_length: float | None = None,
+        axial: bool = True,
+        dynamic: bool = False,
     ) -> None:
         self.ground, self._axial = ground, axial
+        rule = ground.dynamic_rule
+        self._moving = rule == 3 or (dynamic and rule != 2)
         self._equivalent: EquivalentDepths | None = None
         self._layers = Layers(ground.depths)
         self.boundaries = self._layers.boundaries
@@ -71,6 +102,7 @@ class Profile:
                 "t-z": tuple(ground.axial_curves[i] if i else None for i in ground.axial),
             }
         )
+        self._dashpots = self._layers.spread([ground.dashpots.get(i, 0.0) for i in ground.lateral])
         around = Surroundings(ground, self._layers, self._curves, embedded_length)
         self._around, self._length = around, embedded_length
         if ground.layering == "GEORGIADIS":
@@ -108,21 +140,26 @@ class Profile:
         """Q-z of tips, one or (n,); N. At a boundary a tip rests in the layer above."""
         return self._reaction(TIP, np.atleast_1d(depth), np.atleast_1d(diameter))
 
+    def dashpot(self, depth: Array, diameter: Array) -> Array:
+        """Radiation damping along a tube, depth and diameter (n,); N s/m2.
+
+        Linear between the depths of the ground, 0 for curves without a dashpot.
+        """
+        return np.multiply(self._dashpots.at(_below(depth)), diameter)
+
     def effective_overburden(self, depth: Array, family: Family = "p-y") -> Array:
         """s'v (Pa) at each depth, as `Surroundings.effective_overburden`."""
         return self._around.effective_overburden(np.asarray(depth, dtype=float), family)
 
     def _reaction(self, kind: Kind, depth: Array, diameter: Array) -> Reaction:
-        depth, diameter = np.asarray(depth, dtype=float), np.asarray(diameter, dtype=float)
-        if (depth < 0.0).any():
-            raise ValueError("a soil reaction is asked for above the mudline")
+        depth, diameter = _below(depth), np.asarray(diameter, dtype=float)
         laws = {curve.law for curve in self._curves[kind.family] if curve}
         silent = kind.family == "t-z" and not self._axial
         if silent or (kind.columns is None and laws.isdisjoint(kind.laws)):
             return Reaction(len(depth), ())
         groups: dict[tuple[object, ...], list[_Piece]] = {}
         layer = self.layer(depth)
-        for index in np.unique(layer).tolist():
+        for index in sorted(set(layer.tolist())):
             at = np.flatnonzero(layer == index)
             for key, piece in self._pieces(kind.family, index, at, depth[at]):
                 groups.setdefault(key, []).append(piece)
@@ -142,7 +179,8 @@ class Profile:
                 for name, value in upper.parameters.items()
             }
             ids = tuple(dict.fromkeys((upper.id, lower.id)))
-            piece = _Piece(upper, ids, layer, at, np.ones(len(at)), depth, parameters)
+            layers = np.full(len(at), layer)
+            piece = _Piece(upper, ids, layers, at, np.ones(len(at)), depth, parameters)
             yield (0, *_type_of(upper)), piece
             return
         for side, curve, weight, end in (
@@ -152,8 +190,8 @@ class Profile:
             keep = np.flatnonzero(weight)
             if curve is not None and len(keep):
                 full = {name: np.full(len(keep), value) for name, value in curve.parameters.items()}
-                where = np.full(len(keep), end)
-                piece = _Piece(curve, (curve.id,), layer, at[keep], weight[keep], where, full)
+                where, layers = np.full(len(keep), end), np.full(len(keep), layer)
+                piece = _Piece(curve, (curve.id,), layers, at[keep], weight[keep], where, full)
                 yield (side, *_type_of(curve)), piece
 
     def _joined(self, upper: Curve, lower: Curve, last: bool) -> bool:
@@ -165,42 +203,26 @@ class Profile:
 
     def _term(self, kind: Kind, pieces: list[_Piece], diameter: Array) -> Term | None:
         """The pieces of one law as one vectorised law; None if there is no reaction."""
-        at = np.concatenate([piece.at for piece in pieces])
-        order = np.argsort(at)
-        at, curve = at[order], pieces[0].curve
-        depth = np.concatenate([piece.depth for piece in pieces])[order]
-        weight = np.concatenate([piece.weight for piece in pieces])[order]
-        layer = np.concatenate([np.full(len(piece.at), piece.layer) for piece in pieces])[order]
-        parameters = {
-            name: np.concatenate([piece.parameters[name] for piece in pieces])[order]
-            for name in curve.parameters
-        }
-        ids = tuple(dict.fromkeys(i for piece in pieces for i in piece.ids))
+        whole = pieces[0] if len(pieces) == 1 else _Piece.joined(pieces)
+        curve, weight = whole.curve, whole.weight
         try:
-            law = self._law(kind, curve, layer, depth, diameter[at], parameters)
+            law = self._law(kind, whole, diameter[whole.at])
         except InvalidData as fault:
-            where = f"{kind.family} curve {', '.join(map(str, ids))}"
+            where = f"{kind.family} curve {', '.join(map(str, whole.ids))}"
             raise UserError(Fault(f"{where}: {fault.message}", fault.remedy)) from fault
         if law is None:
             return None
         name = "user" if curve.rows else curve.law
-        return Term(at, None if (weight == 1.0).all() else weight, law, name, ids)
+        return Term(whole.at, None if (weight == 1.0).all() else weight, law, name, whole.ids)
 
-    def _law(
-        self,
-        kind: Kind,
-        curve: Curve,
-        layer: Index,
-        depth: Array,
-        diameter: Array,
-        parameters: dict[str, Array],
-    ) -> Law | None:
+    def _law(self, kind: Kind, piece: _Piece, diameter: Array) -> Law | None:
+        curve, depth, parameters = piece.curve, piece.depth, piece.parameters
         if curve.rows:
             if kind.columns is None:
                 return None
             options: dict[str, Any] = {**curve.options, **parameters}
             return user_law(
-                [row[kind.columns] for row in curve.rows],
+                kind.points(curve.rows, self._moving),
                 kind.width(diameter),
                 diameter if curve.rows_in_diameters else 1.0,
                 options.get("multiplier", 1.0),
@@ -215,7 +237,7 @@ class Profile:
             )
         if curve.law not in kind.laws:
             return None
-        known = set().union(*(taken(side) for side in sides if side)) | {WEIGHT} | _OTHER_OPTIONS
+        known = _known(sides)
         given: dict[str, Any] = {
             "depth": depth,
             "diameter": diameter,
@@ -230,7 +252,7 @@ class Profile:
             )
         law = kind.laws[curve.law]
         if self._equivalent is not None and kind is LATERAL and issubclass(law, LayeredLaw):
-            given |= self._equivalent.given(layer, depth, diameter, parameters)
+            given |= self._equivalent.given(piece.layer, depth, diameter, parameters)
         for name in taken(law) - given.keys():
             around = self._around.values(name, kind.family, depth, diameter)
             if around is not None:
@@ -247,16 +269,35 @@ class Profile:
     def _bare(self, depth: Array, diameter: Array) -> Array:
         """Largest |p| without equivalent depths, (n,): for the curves that have none."""
         return (
-            Profile(replace(self.ground, layering="NONE"), self._length)
+            Profile(replace(self.ground, layering="NONE"), self._length, dynamic=self._moving)
             .lateral(depth, diameter)
             .capacity
         )
 
 
-def profile_of(scene: Scene, foundation: Foundation, axial: bool | None = None) -> Profile:
-    """The ground as a foundation's tubes meet it; axial: as the scene says, or forced."""
+def profile_of(
+    scene: Scene, foundation: Foundation, axial: bool | None = None, dynamic: bool = False
+) -> Profile:
+    """The ground as a foundation's tubes meet it, at rest or in motion.
+
+    axial: as the scene says, or forced. dynamic: as for `Profile`.
+    """
     curves = scene.numerics.axial_curves if axial is None else axial
-    return Profile(scene.ground, foundation.mudline - scene.tip(foundation), curves)
+    return Profile(scene.ground, foundation.mudline - scene.tip(foundation), curves, dynamic)
+
+
+def _below(depth: Array) -> Array:
+    """Depths as numbers; ValueError for one above the mudline, where there is no soil."""
+    depth = np.asarray(depth, dtype=float)
+    if (depth < 0.0).any():
+        raise ValueError("a soil reaction is asked for above the mudline")
+    return depth
+
+
+@cache
+def _known(sides: tuple[type[Law] | None, ...]) -> frozenset[str]:
+    """What curves of these laws may give."""
+    return _OTHER_OPTIONS.union([WEIGHT], *(taken(side) for side in sides if side))
 
 
 def _type_of(curve: Curve) -> tuple[object, ...]:

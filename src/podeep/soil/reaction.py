@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Array, Index
-from .backbone import Drawn, Polyline
 from .law import Law
+from .polyline import Polyline
 
 _MOST_NODES = 64  # of straight lines that are evaluated together
 _Evaluate = Callable[[Array], tuple[Array, Array]]
@@ -38,10 +38,14 @@ class Term:
 
 @dataclass(frozen=True, eq=False)
 class Reaction:
-    """The soil's reaction at n points: a weighted sum of laws; none is no reaction."""
+    """The soil's reaction at n points: a weighted sum of laws; none is no reaction.
+
+    often: it is evaluated so often that straight lines side by side are first made one.
+    """
 
     size: int
     laws: tuple[Term, ...]
+    often: bool = False
 
     def part(self, wanted: Callable[[Law], bool]) -> "Reaction":
         """The same with the laws that are wanted alone."""
@@ -63,31 +67,21 @@ class Reaction:
 
     @classmethod
     def joined(cls, parts: "Sequence[Reaction]") -> "Reaction":
-        """Reactions at one part's points after the other's."""
+        """Reactions at one part's points after the other's, to be evaluated often."""
         starts = list(accumulate((part.size for part in parts), initial=0))
         moved = [
             replace(term, at=term.at + start)
             for part, start in zip(parts, starts, strict=False)
             for term in part.laws
         ]
-        return cls(starts[-1], tuple(moved))
+        return cls(starts[-1], tuple(moved), often=True)
 
     @cached_property
     def _pieces(self) -> list[tuple[_Evaluate, slice]]:
-        """What is evaluated at which packed points: laws, straight lines side by side as one."""
-        pieces: list[tuple[_Evaluate, slice]] = []
-        start = 0
-        for lines, group in groupby(self.laws, lambda t: polyline(t.law) is not None):
-            terms = list(group)
-            curves = [c for t in terms if (c := polyline(t.law))]
-            if lines and sum(len(c.nodes) for c in curves) <= _MOST_NODES:
-                together = [(Polyline.joined(curves).evaluate, sum(len(t.at) for t in terms))]
-            else:
-                together = [(t.law.evaluate, len(t.at)) for t in terms]
-            for evaluate, count in together:
-                pieces.append((evaluate, slice(start, start + count)))
-                start += count
-        return pieces
+        """What is evaluated at which packed points."""
+        found = _side_by_side(self.laws) if self.often else [_alone(term) for term in self.laws]
+        ends = accumulate(count for _, count in found)
+        return [(of, slice(end - n, end)) for (of, n), end in zip(found, ends, strict=True)]
 
     @cached_property
     def _plan(self) -> tuple[Index | None, Array | None, list[Index]]:
@@ -97,8 +91,10 @@ class Reaction:
         the packed order that add up to each point, one after the other (the last place holds 0).
         """
         packed = np.concatenate([np.zeros(0, dtype=np.intp), *(term.at for term in self.laws)])
-        shares = [np.ones(len(t.at)) if t.weight is None else t.weight for t in self.laws]
-        weight = np.concatenate(shares) if any(t.weight is not None for t in self.laws) else None
+        weight = None
+        if any(t.weight is not None for t in self.laws):
+            shares = [np.ones(len(t.at)) if t.weight is None else t.weight for t in self.laws]
+            weight = np.concatenate(shares)
         if np.array_equal(packed, np.arange(self.size)):
             return None, weight, []
         seen = np.zeros(self.size, dtype=np.intp)
@@ -130,10 +126,26 @@ class Reaction:
         return _unpacked(force, places), _unpacked(stiffness, places)
 
 
-def polyline(law: Law) -> Polyline | None:
+def _alone(term: Term) -> tuple[_Evaluate, int]:
+    return term.law.evaluate, len(term.at)
+
+
+def _side_by_side(laws: Sequence[Term]) -> list[tuple[_Evaluate, int]]:
+    """What is evaluated and at how many points, straight lines side by side as one."""
+    found: list[tuple[_Evaluate, int]] = []
+    for lines, group in groupby(laws, lambda term: _lines(term.law) is not None):
+        terms = list(group)
+        curves = [curve for term in terms if (curve := _lines(term.law))]
+        if lines and sum(len(curve.nodes) for curve in curves) <= _MOST_NODES:
+            found.append((Polyline.joined(curves).evaluate, sum(len(t.at) for t in terms)))
+        else:
+            found += map(_alone, terms)
+    return found
+
+
+def _lines(law: Law) -> Polyline | None:
     """The straight lines that a law is; None where it is more, or their nodes differ by point."""
-    lines = law.polyline if isinstance(law, Drawn) else None
-    return lines if type(lines) is Polyline else None
+    return lines if type(lines := law.polyline) is Polyline else None
 
 
 def _unpacked(packed: Array, places: list[Index]) -> Array:

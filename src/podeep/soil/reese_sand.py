@@ -9,9 +9,9 @@ from typing import ClassVar
 import numpy as np
 
 from ..arrays import Array
-from .backbone import Values
 from .initial_line import below_line
 from .law import LayeredLaw
+from .polyline import Values
 from .sand import default_subgrade_modulus, failure_width
 
 #: X/D of the charts of A and B

@@ -9,8 +9,8 @@ from typing import ClassVar
 import numpy as np
 
 from ..arrays import Array
-from .backbone import Values
 from .law import LayeredLaw
+from .polyline import Values
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,8 +11,8 @@ from scipy.linalg import blas
 
 from ..arrays import Array
 from ..errors import InvalidData
-from .backbone import Points, Polyline, Values
 from .law import LayeredLaw
+from .polyline import Points, Polyline, Values
 
 _TOE = 1e-10  # y/y50 that rounds off the cube root's infinite slope
 _CORNER, _END = 3.0, 15.0  # y/y50 between which cyclic resistance falls

@@ -16,7 +16,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..errors import InvalidData
-from .backbone import Values
+from .polyline import Values
 
 
 class Moduli(NamedTuple):

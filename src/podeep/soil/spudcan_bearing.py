@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..arrays import Array
-from .backbone import Values
+from .polyline import Values
 from .spudcan import require_positive
 
 #: Dp/B and Nc sc dc of a circular footing on clay

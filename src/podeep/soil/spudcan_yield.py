@@ -7,7 +7,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..errors import InvalidData
-from .backbone import Values
+from .polyline import Values
 from .spudcan import require_positive
 from .spudcan_bearing import DEEP
 

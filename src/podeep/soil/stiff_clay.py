@@ -10,9 +10,9 @@ import numpy as np
 
 from ..arrays import Array
 from ..errors import InvalidData
-from .backbone import Values
 from .initial_line import Falling, below_line
 from .law import LayeredLaw
+from .polyline import Values
 
 _TINY = 1e-150  # keeps a quotient finite where its divisor is 0
 _LEAST_DEPTH = 0.1  # of a diameter, in k z

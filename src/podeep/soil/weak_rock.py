@@ -8,9 +8,9 @@ from typing import ClassVar
 import numpy as np
 
 from ..arrays import Array
-from .backbone import Values
 from .initial_line import below_line
 from .law import Law
+from .polyline import Values
 
 _PLATEAU = 16.0  # y/yrm from which the law is constant
 _LEAST = 1e-200  # y/yrm that keeps the fourth root's slope finite, far under the initial line

@@ -8,14 +8,14 @@ that difference is the estimate.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 import numpy as np
 
 from ..arrays import Array, Flags
 from ..model.assemble import Model, Problem
 from ..model.coupling import pressed, rubbed, rubs
-from ..model.results import Results
+from ..model.results import Results, reacted
 from ..model.system import System
 from .across import across
 from .newton import NO_SCALE, Ending, Limits, Scale, largest, newton
@@ -138,13 +138,7 @@ def _outer_moments(problem: Problem, states: Sequence[State], factors: Array) ->
     return _largest(turning) * field.slope_length
 
 
-def _ratio(change: Array, size: Array) -> Array:
-    """Change over size; a step at rest is measured by a share of the largest step."""
-    size = np.maximum(size, REST * size.max(initial=0.0))
-    return np.divide(change, size, out=np.zeros(len(size)), where=size > 0.0)
-
-
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class _Pair:
     """A quantity on the finer mesh and as it was, at the same depths, and its least scale."""
 
@@ -152,19 +146,25 @@ class _Pair:
     old: Array
     least: Array | float = 0.0
 
-    @property
-    def size(self) -> Array:
-        return np.maximum(_largest(self.new), self.least)
+    @cached_property
+    def peak(self) -> Array:
+        return _largest(self.new)
 
     @property
     def largest(self) -> Array:
         """Change of the largest value over it."""
-        return _ratio(np.abs(_largest(self.new) - _largest(self.old)), self.size)
+        return self._share(np.abs(self.peak - _largest(self.old)))
 
     @property
     def anywhere(self) -> Array:
         """Largest change over the largest value."""
-        return _ratio(_largest(self.new - self.old), self.size)
+        return self._share(_largest(self.new - self.old))
+
+    def _share(self, change: Array) -> Array:
+        """Change over size; a step at rest is measured by a share of the largest step."""
+        size = np.maximum(self.peak, self.least)
+        size = np.maximum(size, REST * size.max(initial=0.0))
+        return np.asarray(np.divide(change, size, out=np.zeros(len(size)), where=size > 0.0))
 
 
 def _estimate(moved: _Pair, held: _Pair, inner: _Pair, force: Array, lost: Flags) -> Estimate:
@@ -187,7 +187,7 @@ def estimate(
     elements do not resolve. path: where the last of the states lie beyond a peak. Errors there are
     at the same place across the path; 1 where none was found.
     """
-    model = old.model
+    model, soil = old.model, old.model.profile
     factors = np.array([s.factors for s in states])
     new, lost, adrift = _finer(old, richer, states, path)
     share = np.arange(_PLACES) / _PLACES
@@ -195,23 +195,28 @@ def estimate(
     every = np.append(inside.ravel(), richer.edges[-1])
     wet = np.unique(np.concatenate([every, richer.edges[:-1] + _BELOW]))
     wet = wet[wet >= 0.0]
+    lateral, shaft = (react(wet, old.diameter(wet)) for react in (soil.lateral, soil.shaft))
     outer = _outer_moments(model.lateral, states, factors)
 
     def of_all(value: Callable[[Results, Array, int], Array]) -> tuple[Array, Array]:
         """A quantity of all tubes on the finer mesh and as it was."""
         return new.of_all(partial(value, new), every), old.of_all(partial(value, old), every)
 
+    def both(motion: Callable[[Results, Array], Array]) -> Array:
+        """A motion in the soil on the finer mesh, then as it was."""
+        return np.concatenate([motion(new, wet), motion(old, wet)])
+
     return (
         _estimate(
             _Pair(*of_all(lambda r, x, tube: r.deflection(x, 0, tube))),
-            _Pair(new.lateral_reaction(wet), old.lateral_reaction(wet)),
+            _Pair(*np.split(reacted(both(Results.deflection), lateral), 2)),
             _Pair(*of_all(lambda r, x, tube: r.shear_and_moment(x, tube)[1]), outer),
             parts[0].total,
             lost,
         ),
         _estimate(
             _Pair(*of_all(lambda r, x, tube: r.settlement(x, 0, tube))),
-            _Pair(new.axial_reaction(wet), old.axial_reaction(wet)),
+            _Pair(*np.split(shaft.evaluate(both(Results.settlement))[0], 2)),
             _Pair(*of_all(Results.compression)),
             parts[1].total,
             adrift,

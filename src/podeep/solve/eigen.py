@@ -13,7 +13,7 @@ from scipy.linalg import LinAlgError, cho_solve_banded, cholesky_banded, eigh
 from scipy.sparse.linalg import LinearOperator, eigsh
 
 from ..arrays import Array
-from ..beam.band import whole_matrix
+from ..beam.band import dense
 
 _WHOLE = 500  # unknowns up to which matrices are solved whole
 _TRIES = 8  # shifts, each a hundred times the one before
@@ -31,7 +31,7 @@ def lowest(stiffness: Array, mass: Array, count: int, shift: float) -> tuple[Arr
     size = stiffness.shape[1]
     count = min(count, size)
     if size <= _WHOLE or count > size // 4:
-        pencil = whole_matrix(mass), whole_matrix(stiffness + shift * mass)
+        pencil = dense(mass), dense(stiffness + shift * mass)
         mu, vectors = eigh(*pencil, subset_by_index=(size - count, size - 1))
         vectors = vectors.T
     else:

@@ -15,20 +15,22 @@ def prolong(q: Array, coarse: Field, fine: Field, components: int) -> Array:
     """
     given = np.moveaxis(q.reshape(len(q), -1, components), 2, 1)
     rows = np.zeros((len(q), components, fine.size))
+    elements, count = fine.dofs.shape
+    share = (np.arange(count) + 0.5) / count
+    ends = np.concatenate([fine.tops, fine.tops + fine.lengths])
+    inside = (fine.tops[:, None] + fine.lengths[:, None] * share).ravel()
     tube = fine.strings.leader
-    for x, node in ((fine.tops, 0), (fine.tops + fine.lengths, -fine.nodal)):
-        rows[..., fine.dofs[:, node]] = product(given, coarse.interpolation(x, 0, tube))
-        if fine.nodal == 2:
-            turned = product(given, coarse.rotation(x, tube))
-            rows[..., fine.dofs[:, node + 1]] = fine.slope_length * turned
-    inner = slice(fine.nodal, fine.local - fine.nodal)
+    both, of = np.tile(tube, 2), np.repeat(tube, count)
+    nodes, inner = fine.dofs[:, [0, -fine.nodal]].T.ravel(), slice(fine.nodal, -fine.nodal)
+    whole = coarse.interpolation(np.concatenate([ends, inside]), 0, np.concatenate([both, of]))
+    rows[..., nodes], known = np.split(product(given, whole), [len(ends)], axis=-1)
+    if fine.nodal == 2:
+        turned = product(given, coarse.rotation(ends, both))
+        rows[..., nodes + 1] = fine.slope_length * turned
     if fine.local > 2 * fine.nodal:
-        elements, count = fine.dofs.shape
-        share = (np.arange(count) + 0.5) / count
-        x, of = (fine.tops[:, None] + fine.lengths[:, None] * share).ravel(), np.repeat(tube, count)
-        matrix = fine.interpolation(x, 0, of)
-        left = product(given, coarse.interpolation(x, 0, of)) - product(rows, matrix)
-        functions = matrix.data.reshape(elements, count, count)[..., inner]
+        matrix = fine.interpolation(inside, 0, of)
+        left = known - product(rows, matrix)
+        functions = matrix.shares.reshape(elements, count, count)[..., inner]
         fit = np.linalg.pinv(functions)
         rest = left.reshape(len(q), components, elements, count)
         rows[..., fine.dofs[:, inner]] = np.einsum("eig,sceg->scei", fit, rest)

@@ -8,9 +8,9 @@ are met better the next time.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
-from scipy.integrate import trapezoid
 
 from ..arrays import Array, Flags, Index
 from ..beam.field import Motion
@@ -29,7 +29,7 @@ _ROUNDING = 1e-4  # of all soil force: what rounding of displacements may make o
 _SOFTEST = 1e4  # EI / GAs over (h/2)^2: rounding of its square is then 1e-8
 _CHECKS = 16  # intervals of an element between the depths where its force is checked
 _NEAR_END = 1e-9  # of half an element: a check stays in the element's own soil layer
-_ZOOMS = 4  # times that a corner is looked for in an eighth of the interval
+_ZOOMS = 4  # times that a corner is looked for in an eighth of the interval, two at one evaluation
 _LOOKS = 16  # intervals of each look
 _CORNER = (2.0 / _LOOKS) ** (1.5 * (_ZOOMS - 1))  # corners bend by more than this, curves by less
 _WET = 1e-6  # below the mudline, m
@@ -144,27 +144,30 @@ def _unresolved(
     field = problem.system.field
     lengths = np.diff(field.edges)[intervals]
     count = field.degree + 1 - field.continuity
-    xi = -np.cos(np.pi * np.arange(_CHECKS + 1) / _CHECKS) * (1.0 - _NEAR_END)
-    gauss, checks = (
-        (field.edges[intervals, None] + 0.5 * lengths[:, None] * (places + 1.0)).ravel()
-        for places in (gauss_points(count)[0], xi)
-    )
-
-    def resistance(x: Array) -> Array:
-        own = _resistance(problem, states, at(x))
-        return own if leader is None else own * _norm(_resistance(problem, states, leader(x)))
-
-    known, true = resistance(gauss), resistance(checks)
-    shape = (*true.shape[:2], len(intervals))
-    true = true.reshape(*shape, len(xi))
-    known = known.reshape(*shape, count)
-    error = np.abs(known @ gauss_interpolation(xi, count).T - true)
+    places, interpolation, weight = _checks(count)
+    x = (field.edges[intervals, None] + 0.5 * lengths[:, None] * (places + 1.0)).ravel()
+    resistance = _resistance(problem, states, at(x))
+    if leader is not None:
+        resistance = resistance * _norm(_resistance(problem, states, leader(x)))
+    shape = (*resistance.shape[:2], len(intervals), len(places))
+    resistance = resistance.reshape(shape)
+    known, true = resistance[..., :count], resistance[..., count:]
+    error = np.abs(known @ interpolation - true)
     half = 0.5 * lengths
-    missing = trapezoid(error, xi).sum(axis=1) * half
-    every = trapezoid(np.abs(true), xi).sum(axis=1) @ half
+    missing = (error @ weight).sum(axis=1) * half
+    every = (np.abs(true) @ weight).sum(axis=1) @ half
     whole = np.maximum(every, REST * every.max(initial=0.0))[:, None]
     share: Array = np.divide(missing, whole, out=np.zeros(missing.shape), where=whole > 0.0)
     return Unresolved(share, every, intervals, problem, states, at, leader)
+
+
+@cache
+def _checks(count: int) -> tuple[Array, Array, Array]:
+    """Gauss points of an element, then the checks; from the first to the second; their weights."""
+    xi = -np.cos(np.pi * np.arange(_CHECKS + 1) / _CHECKS) * (1.0 - _NEAR_END)
+    weight = 0.5 * (np.diff(xi, prepend=xi[0]) + np.diff(xi, append=xi[-1]))  # trapezoids
+    places = np.concatenate([gauss_points(count)[0], xi])
+    return places, gauss_interpolation(xi, count).T, weight
 
 
 def _norm(vectors: Array) -> Array:
@@ -176,7 +179,7 @@ def _resistance(problem: Problem, states: Array, points: Points) -> Array:
     """What resists at points in each state by component, (steps, components, points)."""
     components = problem.system.components
     unknowns = np.moveaxis(states.reshape(len(states), -1, components), 2, 1)
-    u = product(unknowns, points.matrix(problem.system.field))
+    u = product(unknowns, points.rows(problem.system.field))
     return reacted(u, points.reaction)
 
 
@@ -222,18 +225,26 @@ def _cuts(one: Unresolved, poor: Flags, shortest: Array) -> Array:
     interval, step = among[chosen], one.share[:, chosen].argmax(axis=0)
     above, below = edges[interval], edges[interval + 1]
     left, right = above, below
-    bends = []
-    for _ in range(_ZOOMS):
-        x = left[:, None] + (right - left)[:, None] * np.linspace(0.0, 1.0, _LOOKS + 1)
+    bends, every, half = [], np.arange(len(chosen)), _LOOKS // 2
+    for _ in range(_ZOOMS // 2):
+        x = left[:, None] + (right - left)[:, None] * np.linspace(0.0, 1.0, _LOOKS * half + 1)
         force = _force(one, x, interval, step)
-        bend = np.abs(force[:, 2:] - 2.0 * force[:, 1:-1] + force[:, :-2])
-        at, every = bend.argmax(axis=1), np.arange(len(x))
-        left, right = x[every, at], x[every, at + 2]
-        bends.append(bend[every, at])
+        at, first = _sharpest(force[:, ::half])
+        near = half * at[:, None] + np.arange(_LOOKS + 1)
+        at, second = _sharpest(np.take_along_axis(force, near, axis=1))
+        left, right = x[every, near[every, at]], x[every, near[every, at + 2]]
+        bends += [first, second]
     cornered = bends[-1] > _CORNER * bends[0]
     cut = np.where(cornered, 0.5 * (left + right), 0.5 * (above + below))
     margin = np.maximum(_MARGIN * (below - above), shortest[interval])
     return np.clip(cut, above + margin, below - margin)
+
+
+def _sharpest(force: Array) -> tuple[Index, Array]:
+    """The first of the three points over which each row bends most, and how much it does."""
+    bend = np.abs(force[:, 2:] - 2.0 * force[:, 1:-1] + force[:, :-2])
+    at = bend.argmax(axis=1)
+    return at, bend[np.arange(len(at)), at]
 
 
 def _force(one: Unresolved, x: Array, interval: Index, step: Index) -> Array:
@@ -246,8 +257,8 @@ def _force(one: Unresolved, x: Array, interval: Index, step: Index) -> Array:
     rows = np.repeat(step, x.shape[1])[:, None]
 
     def size(points: Points) -> Array:
-        dofs, shares = points.rows(system.field)
-        u = np.einsum("rl,rlc->rc", shares, unknowns[rows, dofs])
+        own = points.rows(system.field)
+        u = np.einsum("rl,rlc->rc", own.shares, unknowns[rows, own.dofs])
         moved = u[:, 0] if system.components == 1 else np.hypot(u[:, 0], u[:, 1])
         return points.reaction.evaluate(moved)[0]
 

@@ -1,0 +1,103 @@
+"""From foundations in motion to the rows of a dynamic database."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .arrays import Array, Index
+from .database.schema import QUANTITIES
+from .model.assemble import Model, assemble
+from .model.inertia import Inertia, inertia
+from .model.moved import Moved, Viscosity, Way
+from .model.results import Results
+from .record import Places, all_values, places, soil_values
+from .scene import Scene
+from .solve.body import Body
+from .solve.plan import Begun
+from .solve.simulate import Track, Tracks
+
+_SHOWN = {0: True, 1: False}  # rules of the ground: what the soil resists in statics is shown too
+
+
+@dataclass(frozen=True, eq=False)
+class Ledger:
+    """What turns tracks of one foundation into values.
+
+    model: in motion, with the normal force on slopes where it counts. still: the end of statics,
+    None where the soil's motion counts from rest.
+    """
+
+    at: Places
+    model: Model
+    body: Body
+    inertia: Inertia
+    viscosity: Viscosity
+    still: Results | None
+    shown: bool
+
+    @property
+    def name(self) -> str:
+        return self.at.grid.name
+
+    def results(self, tracks: Tracks, rows: Index | slice) -> Moved:
+        """Some rows of tracks as results."""
+        lateral, axial = tracks
+        deflecting = _way(lateral, rows, self.body.lateral.origin)
+        n = len(deflecting.q)
+        if axial is None:
+            q = np.broadcast_to(self.body.rest.axial, (n, len(self.body.rest.axial)))
+            origin = q[0] if self.still is not None else np.zeros_like(q[0])
+            stretching = Way(q, np.zeros_like(q), np.zeros_like(q), origin)
+        else:
+            assert self.body.axial is not None
+            stretching = _way(axial, rows, self.body.axial.origin)
+        return Moved(
+            *(self.model, deflecting.q, stretching.q, deflecting, stretching),
+            *(self.inertia, self.viscosity, self.still, self.shown),
+        )
+
+    def all(self, tracks: Tracks, rows: Index) -> dict[str, Array]:
+        """Every value of the soil and the tubes in some rows, by the schema's names."""
+        return all_values(self.results(tracks, rows), self.at)
+
+    def extremes(self, tracks: Tracks) -> dict[str, Array]:
+        """In all rows, what has an envelope."""
+        grid = self.at.grid
+        found = soil_values(self.results(tracks, slice(None)), grid.depth, grid.lateral_axis)
+        return {name: found[name] for name in QUANTITIES}
+
+
+def _way(track: Track, rows: Index | slice, origin: Array) -> Way:
+    return Way(track.q[rows], track.velocity[rows], track.acceleration[rows], origin)
+
+
+def ledger(scene: Scene, begun: Begun, body: Body) -> Ledger:
+    """The ledger of one foundation; its grid suits the largest loads as in statics."""
+    static, foundation = begun.model, begun.model.foundation
+    second = replace(body.model.needs, second_order=static.needs.second_order)
+    field = static.lateral.system.field
+    same = (body.model.profile, static.pieces, static.edges, field.degree)
+    model = assemble(scene, foundation, second, *same)
+    rule = scene.ground.dynamic_rule
+    still = None
+    if rule in _SHOWN:
+        still = Results(static, body.rest.lateral[None], body.rest.axial[None])
+    soil = model.lateral.system.points[0]
+    interval = np.searchsorted(field.edges[1:-1], soil.x)
+    width = model.parts.width[interval]
+    damping = scene.damping
+    viscosity = Viscosity(
+        damping.mass_factor if damping else 0.0,
+        damping.stiffness_factor if damping else 0.0,
+        model.profile.dashpot(soil.x, width),
+    )
+    peak = begun.peak
+    return Ledger(
+        places(scene, peak, scene.numerics.accuracy),
+        model,
+        body,
+        inertia(scene, foundation, static.pieces, static.edges),
+        viscosity,
+        still,
+        _SHOWN.get(rule, True),
+    )

@@ -1,0 +1,215 @@
+"""The dynamic part of a run: foundations set in motion, followed, and written as they go."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from time import monotonic
+
+import numpy as np
+
+from .arrays import Array, Index
+from .database.write import Writer
+from .deck.read import Deck
+from .model.moved import Moved
+from .motion_record import Ledger, ledger
+from .scene import Dynamics, Scene
+from .solve.dynamics import End
+from .solve.plan import begun, simulation, step_for
+from .solve.simulate import Block, Simulation
+
+_RECORDS = 1000  # that a run has by default, at most
+_FINER = 0.5  # of a step whose error turned out too large
+_RESTARTS = 3
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class MotionRun:
+    """What a dynamic run did: its database, and how it went.
+
+    time: s, that was reached. error: of the displacements, as it is estimated. failure: why the
+    rest of the time is missing; empty if nothing is.
+    """
+
+    database: Path
+    time: float
+    step: float
+    steps: int
+    records: int
+    iterations: int
+    error: float
+    accuracy: float
+    failure: str
+
+    @property
+    def text(self) -> str:
+        """The report in words."""
+        mean = self.iterations / max(self.steps, 1)
+        return (
+            f"Motion to {self.time:g} s: {self.steps} steps of {self.step:.4g} s, "
+            f"{mean:.1f} iterations a step\n"
+            f"    estimated error of displacements {self.error:.1e}, asked {self.accuracy:.0e}\n"
+            f"written: {self.database}, {self.records} times"
+        )
+
+
+@dataclass(slots=True)
+class Errors:
+    """Estimated errors of a foundation so far.
+
+    sizes: largest displacement, reaction and moment. apart: largest distance of the displacements
+    from those of the twin, and the twin's largest reaction and moment.
+    """
+
+    order: int
+    sizes: Array = field(default_factory=lambda: np.zeros(3))
+    apart: Array = field(default_factory=lambda: np.zeros(3))
+
+    def widen(self, ours: Moved, twin: Moved, x: Array) -> Array:
+        """Errors of displacement, reaction and moment up to each row, shape (3, rows)."""
+        sizes, apart = np.zeros((2, 3, len(ours.lateral)))
+        pairs = zip(_largest_of(ours, x), _largest_of(twin, x), strict=True)
+        for kind, (one, other) in enumerate(pairs):
+            sizes[kind], apart[kind] = _sizes(one), _sizes(one - other if kind == 0 else other)
+        sizes = np.maximum.accumulate(np.maximum(sizes, self.sizes[:, None]), axis=1)
+        apart = np.maximum.accumulate(np.maximum(apart, self.apart[:, None]), axis=1)
+        self.sizes, self.apart = sizes[:, -1], apart[:, -1]
+        apart = np.concatenate([apart[:1], np.abs(apart[1:] - sizes[1:])])
+        scale = 2.0**self.order - 1.0
+        return np.divide(apart, scale * sizes, out=np.zeros_like(apart), where=sizes > 0.0)
+
+
+def _sizes(values: Array) -> Array:
+    """Largest magnitude in each row."""
+    return np.asarray(np.abs(values).reshape(len(values), -1).max(axis=1, initial=0.0))
+
+
+def _largest_of(results: Moved, x: Array) -> tuple[Array, Array, Array]:
+    """Deflection, reaction and moment of all tubes at depths, each (rows, ...)."""
+    moment = results.of_all(lambda at, tube: results.shear_and_moment(at, tube)[1], x)
+    return results.deflection(x), results.lateral_reaction(x[x >= 0.0]), moment
+
+
+def run_motion(
+    deck: Deck, scene: Scene, target: Path, *, force: bool, history: str, tell: Progress
+) -> MotionRun:
+    """Follow a scene's motion and write it as it goes.
+
+    tell: takes a line of progress. A step that the accuracy has chosen starts anew at half its size
+    where its error turns out too large. Raises AnalysisFailed where statics has no equilibrium,
+    Interrupted where the user ends it: the partial then holds what there is.
+    """
+    dynamics = scene.dynamics
+    assert dynamics is not None
+    tell("statics, and the step in time")
+    start = [begun(scene, foundation) for foundation in scene.foundations]
+    step = step_for(scene, dynamics, start)
+    whole = dynamics.end - dynamics.start
+    for restarts in range(_RESTARTS + 1):
+        one = simulation(scene, dynamics, start, step, whole)
+        patient = dynamics.step is not None or restarts == _RESTARTS
+        ledgers = [ledger(scene, b, m.body) for b, m in zip(start, one.motions, strict=True)]
+        with Writer(
+            target,
+            kind="dynamic",
+            title=scene.title,
+            deck_text=deck.text,
+            grids=[book.at.grid for book in ledgers],
+            loads=(),
+            history=history,
+            force=force,
+        ) as writer:
+            log = Log(one, dynamics, ledgers, writer, tell)
+            fine = log.follow(None if patient else scene.numerics.accuracy)
+            if not fine:
+                step *= _FINER
+                continue
+            failure = log.failure()
+            writer.finish("stopped" if failure else "complete", failure)
+        counted = (one.time, one.h, one.done, log.records, log.iterations, one.error)
+        return MotionRun(target, *counted, scene.numerics.accuracy, failure)
+    raise RuntimeError("unreachable")
+
+
+class Log:
+    """Writes a simulation's blocks, and keeps the count."""
+
+    def __init__(
+        self,
+        one: Simulation,
+        dynamics: Dynamics,
+        ledgers: Sequence[Ledger],
+        writer: Writer,
+        tell: Progress,
+    ) -> None:
+        self.simulation, self.ledgers, self.writer, self.tell = one, ledgers, writer, tell
+        wanted = dynamics.recording or (dynamics.end - dynamics.start) / _RECORDS
+        self.every = one.every = max(round(wanted / one.h), 1)
+        self.errors = [Errors(one.method.order) for _ in ledgers]
+        self.records = self.iterations = 0
+        self._last = np.zeros((len(ledgers), 3))
+
+    def follow(self, accuracy: float | None) -> bool:
+        """Write all blocks; False where the error has passed an accuracy."""
+        one = self.simulation
+        begin = monotonic()
+        self._write(one.beginning(), np.zeros(1, dtype=np.intp))
+        for block in one.blocks():
+            first = one.done - len(block.times)
+            steps = np.arange(first + 1, one.done + 1)
+            ended = one.ending is not End.COMPLETE or one.done == one.count
+            rows = np.flatnonzero((steps % self.every == 0) | (ended & (steps == one.done)))
+            self._write(block, rows)
+            self.iterations += int(block.iterations.sum())
+            left = (monotonic() - begin) * (one.count - one.done) / one.done
+            self.tell(f"{one.time:.4g} s of motion, about {left:.0f} s to go")
+            if accuracy is not None and one.error > accuracy:
+                return False
+        self.tell("")
+        return True
+
+    def failure(self) -> str:
+        """Why the motion ended before its time, in words; empty if it did not."""
+        one = self.simulation
+        if one.ending is End.COMPLETE:
+            return ""
+        return f"motion stops at {one.time:g} s: {one.ending.value}"
+
+    def _write(self, block: Block, rows: Index) -> None:
+        """Commit rows of a block; all of it counts for the envelopes."""
+        values: dict[str, Array] = {}
+        extremes: dict[str, Array] = {}
+        count = len(rows)
+        for place, (book, tracks) in enumerate(zip(self.ledgers, block.tracks, strict=True)):
+            of_one = book.all(tracks, rows)
+            errors = self._estimates(place, block, rows)
+            of_one |= dict(zip(_ESTIMATES, errors, strict=True))
+            of_one["convergence/iterations"] = block.iterations[rows].astype(float)
+            of_one["convergence/residual"] = block.residual[rows]
+            of_one["convergence/step_size"] = block.step_size[rows]
+            of_one["convergence/energy"] = block.work[rows]
+            values |= {f"{book.name}/{name}": value for name, value in of_one.items()}
+            every = book.extremes(tracks)
+            extremes |= {f"{book.name}/{name}": value for name, value in every.items()}
+        self.writer.widen(block.times, extremes)
+        if count:
+            self.writer.append(block.times[rows], values)
+            self.records += count
+
+    def _estimates(self, place: int, block: Block, rows: Index) -> Array:
+        """Errors of displacement, reaction and moment up to each row, (3, rows)."""
+        found = np.repeat(self._last[place][:, None], len(rows), axis=1)
+        both = np.flatnonzero(block.together[rows])
+        if block.twins and len(both):
+            book = self.ledgers[place]
+            ours = book.results(block.tracks[place], rows[both])
+            twin = book.results(block.twins[place], rows[both])
+            errors = self.errors[place].widen(ours, twin, book.at.grid.depth)
+            found[:, both] = errors
+            found = np.maximum.accumulate(found, axis=1)
+            self._last[place] = found[:, -1]
+        return found
+
+
+_ESTIMATES = ("estimate/displacement", "estimate/reaction", "estimate/moment")

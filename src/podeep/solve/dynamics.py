@@ -1,0 +1,153 @@
+"""Foundations in motion, followed step by step from the end of statics."""
+
+from dataclasses import dataclass, field
+from enum import Enum
+
+import numpy as np
+from scipy.linalg import blas
+
+from ..arrays import Array
+from ..scene import Dynamics
+from .body import Body
+from .equations import Equations, State
+from .integrators import (
+    Bathe,
+    CentralDifference,
+    Integrator,
+    Rosenbrock,
+    Weighted,
+    initial,
+)
+from .moving import Moving
+from .newton import largest
+from .stage import Effort, NoBalance, Patience
+
+HALVINGS = 12  # of a step without equilibrium
+_ALPHA = -0.05  # of HHT, which stands for the original's damped Newmark
+_RADIUS = 0.8  # of the generalised-alpha method
+
+
+class End(Enum):
+    """How a motion ended; the value is what the user reads."""
+
+    COMPLETE = "the whole time was followed"
+    NO_BALANCE = "no equilibrium was found in the smallest part of a step"
+    LOST = "the foundation is lost: it goes on moving, and the soil has no more to give"
+
+
+def integrator(dynamics: Dynamics) -> Integrator:
+    """The method that a scene asks for."""
+    match dynamics.method:
+        case None | "HHT":
+            return Weighted.hht(_ALPHA)
+        case "NEWMARK":
+            return Weighted(dynamics.gamma, dynamics.beta)
+        case "GALPHA":
+            return Weighted.generalised_alpha(_RADIUS)
+        case "BATHE":
+            return Bathe()
+        case "ROS2":
+            return Rosenbrock()
+        case "CENTRAL":
+            return CentralDifference()
+
+
+@dataclass(slots=True)
+class Motion:
+    """A body on its way: where its deflection and its stretch (None: at rest) are.
+
+    reach: largest unknown that is expected, m; what an iteration may leave is a share of it. part:
+    the smallest one that the last step was taken in, s. work: of the loads since the start, J.
+    force: the largest that was met where balance was checked, N.
+    """
+
+    body: Body
+    lateral: State
+    axial: State | None
+    reach: float
+    effort: Effort = field(default_factory=Effort)
+    part: float = np.inf
+    work: float = 0.0
+    force: float = 0.0
+
+    def step(self, method: Integrator, h: float, share: float, iterations: int) -> None:
+        """Go h seconds on, in halves where there is no equilibrium otherwise.
+
+        share: of the reach, what an iteration may leave. Raises NoBalance, at a state before.
+        """
+        patience = Patience(share * self.reach, iterations)
+        self.part, parts, done = h, 1, 0
+        while done < parts:
+            try:
+                self._go(method, h / parts, patience)
+                done += 1
+            except NoBalance:
+                if parts == 2**HALVINGS:
+                    raise
+                parts, done = 2 * parts, 2 * done
+                self.part = h / parts
+
+    def _go(self, method: Integrator, h: float, patience: Patience) -> None:
+        body, axial = self.body, self.axial
+        if body.axial is not None and axial is not None:
+            axial = method.step(body.axial, axial, h, patience, self.effort)
+            if body.squeeze is not None:
+                body.lateral.press(body.squeeze.band(axial.q))
+        lateral = method.step(body.lateral, self.lateral, h, patience, self.effort)
+        self._accept(body.lateral, self.lateral, lateral)
+        if body.axial is not None and self.axial is not None and axial is not None:
+            self._accept(body.axial, self.axial, axial)
+        self.axial, self.lateral = axial, lateral
+
+    def _accept(self, equations: Moving, before: State, after: State) -> None:
+        """Commit a step; the work of its loads is that of their mean."""
+        load = equations.load(before.time) + equations.load(after.time)
+        self.work += 0.5 * blas.ddot(load, after.q - before.q)
+        equations.commit(after.q)
+
+    def imbalance(self) -> float:
+        """Largest force out of balance over the largest force so far."""
+        pairs = (self.body.lateral, self.lateral), (self.body.axial, self.axial)
+        left = 0.0
+        for equations, state in pairs:
+            if equations is not None and state is not None:
+                out, size = out_of_balance(equations, state)
+                self.force, left = max(self.force, size), max(left, out)
+        return left / self.force if self.force else 0.0
+
+    def lost(self) -> bool:
+        """Whether the foundation is lost: its tip has settled by a diameter, or it went further."""
+        model = self.body.model
+        if largest(self.lateral.q) > float(np.ptp(model.edges)):
+            return True
+        if self.axial is None:
+            return False
+        tip = self.axial.q[model.axial.system.field.node(float(model.edges[-1]))]
+        return bool(abs(tip) > model.parts.width[-1])
+
+
+def out_of_balance(equations: Moving, state: State) -> tuple[float, float]:
+    """Largest of P - M a - C v - F in a committed state, and the largest of these, N."""
+    velocity = state.velocity
+    forces = np.array(
+        [
+            equations.load(state.time),
+            -equations.mass_times(state.acceleration),
+            -equations.damping_times(velocity),
+            -equations.internal(state.q, velocity if equations.feels_velocity else None),
+        ]
+    )
+    forces[:, equations.held] = 0.0
+    return float(np.abs(forces.sum(axis=0)).max()), float(np.abs(forces).max())
+
+
+def started(body: Body, time: float, reach: float) -> Motion:
+    """A body at rest at the end of statics."""
+    effort = Effort()
+
+    def begun(equations: Equations, q: Array) -> State:
+        return initial(equations, time, q, np.zeros_like(q), effort)
+
+    lateral = begun(body.lateral, body.rest.lateral)
+    axial = None if body.axial is None else begun(body.axial, body.rest.axial)
+    return Motion(body, lateral, axial, reach, effort)

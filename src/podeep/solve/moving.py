@@ -1,0 +1,163 @@
+"""One problem of a foundation as equations of motion: its system, mass, damping and loads."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from scipy.linalg import eigh, lapack
+
+from ..arrays import Array, Index
+from ..beam.band import Times, band_times, dense, times, without
+from ..model.assemble import Problem
+from ..model.system import Reached, System
+
+_LOADS = 4  # times whose loads are kept: a step asks for those at its ends
+_KEPT = 8  # weights of mass and damping whose matrices are kept: steps are halved and doubled
+
+#: Factors of the loads at a time, s: values, first and second derivatives, (names,) each.
+Factors = Callable[[float], tuple[Array, Array, Array]]
+
+
+class Memory(Protocol):
+    """What resists at the points of a system on the way from the last commit."""
+
+    def evaluate(self, u: Array) -> tuple[Array, Array]:
+        """Force and its derivative at motions u."""
+
+    def commit(self, u: Array) -> None:
+        """The points have come to motions u."""
+
+
+@dataclass(slots=True)
+class _Weighed:
+    """D, the system whose tangent has it too, and the factors of D once they are asked for.
+
+    pressed: what of the normal force the tangent has.
+    """
+
+    band: Array
+    times: Times
+    system: System
+    free: Array
+    pressed: Array | None = None
+    factors: Array | None = None
+
+
+class Moving:
+    """Equations of motion of a problem; see `Equations`.
+
+    mass, damping: lower bands, shape (width, size), held unknowns among them. factors: of the
+    named loads. origin: unknowns from which the soil's motion counts; base: internal forces that
+    are there already, N. memory: what resists at the points, where that depends on the way.
+    """
+
+    feels_velocity = False
+
+    def __init__(
+        self,
+        problem: Problem,
+        mass: Array,
+        damping: Array,
+        factors: Factors,
+        origin: Array,
+        base: Array,
+        memory: Memory | None = None,
+    ) -> None:
+        self.problem, self.system = problem, problem.system
+        self.mass, self.damping, self.memory = mass, damping, memory
+        self.origin, self.base = origin, base
+        self._factors = factors
+        self._mass, self._damping = times(mass), times(damping)
+        self._loads: dict[float, Array] = {}
+        self._kept: dict[tuple[float, float], _Weighed] = {}
+        self._pressed: Array | None = None
+        self._frozen: Reached | None = None
+        self.weigh(1.0, 0.0, 0.0)
+
+    @property
+    def held(self) -> Index:
+        return self.system.held
+
+    def load(self, time: float) -> Array:
+        found = self._loads.get(time)
+        if found is None:
+            if len(self._loads) == _LOADS:
+                del self._loads[next(iter(self._loads))]
+            found = self._loads[time] = self.problem.load(self._factors(time)[0])
+        return found
+
+    def given(self, time: float) -> tuple[Array, Array, Array]:
+        value, rate, second = (self.problem.prescribed(f)[self.held] for f in self._factors(time))
+        return value, rate, second
+
+    def mass_times(self, x: Array) -> Array:
+        return self._mass(x)
+
+    def damping_times(self, x: Array) -> Array:
+        return self._damping(x)
+
+    def press(self, geometric: Array) -> None:
+        """Take from the stiffness what the normal force does to slopes, a band as `mass`."""
+        self._pressed = geometric
+
+    def weigh(self, inertia: float, damping: float, rate: float) -> None:
+        key = inertia, damping
+        one = self._kept.get(key)
+        if one is None:
+            if len(self._kept) == _KEPT:
+                del self._kept[next(iter(self._kept))]
+            band = np.asfortranarray(inertia * self.mass + damping * self.damping)
+            system = self.system.stiffened(band, self.memory)
+            one = self._kept[key] = _Weighed(band, times(band), system, system.linear)
+        if one.pressed is not self._pressed:
+            assert self._pressed is not None
+            one.pressed = self._pressed
+            one.system.linear = one.free - without(one.pressed, self.held).ravel(order="F")
+        self._weighed = one
+
+    def weighed_times(self, q: Array) -> Array:
+        return self._weighed.times(q)
+
+    def internal(self, q: Array, velocity: Array | None) -> Array:
+        force = self._weighed.system.internal(q - self.origin)
+        force += self.base
+        if self._pressed is not None:
+            force -= band_times(self._pressed, q)  # differs from step to step
+        return force
+
+    def solve(self, right: Array) -> Array | None:
+        system = self._weighed.system
+        if self._frozen is not None:
+            system.reached = self._frozen
+        return system.solve(right)
+
+    def keep_tangent(self, kept: bool) -> None:
+        self._frozen = self._weighed.system.reached if kept else None
+
+    def solve_weighed(self, right: Array) -> Array:
+        one = self._weighed
+        right = right.copy()
+        right[self.held] = 0.0
+        if one.factors is None:
+            band = without(one.band, self.held)
+            band[0, self.held] = 1.0
+            one.factors, info = lapack.dpbtrf(band, lower=1)
+            if info:
+                raise RuntimeError("an unknown has no mass")
+        return np.asarray(lapack.dpbtrs(one.factors, right, lower=1)[0])
+
+    def fastest(self) -> float:
+        self.system.reached = self._weighed.system.reached
+        tangent = self.system.tangent()
+        if self._pressed is not None:
+            tangent = tangent - without(self._pressed, self.held)
+        free = np.delete(np.arange(self.system.size), self.held)
+        stiffness, mass = (dense(band)[np.ix_(free, free)] for band in (tangent, self.mass))
+        last = (len(free) - 1,) * 2
+        square = eigh(stiffness, mass, eigvals_only=True, subset_by_index=last)[0]
+        return float(np.sqrt(max(square, 0.0)))
+
+    def commit(self, q: Array) -> None:
+        if self.memory is not None:
+            self.memory.commit(self.system.displacement(q - self.origin)[:, 0])

@@ -1,0 +1,118 @@
+"""From a scene to its motions: meshes, states at the end of statics, the step in time."""
+
+from dataclasses import dataclass, replace
+from math import ceil, sqrt
+
+import numpy as np
+
+from ..errors import AnalysisFailed
+from ..model.assemble import Model
+from ..model.results import Results
+from ..scene import Dynamics, Foundation, Harmonic, Scene, Steps, TimeSeries
+from .analysis import factors_of, limits, rebuilt, run, solve
+from .body import Body, body
+from .dynamics import End, integrator, started
+from .newton import largest
+from .simulate import Simulation
+from .statics import State
+
+_SHARE = 0.05  # of the accuracy: what the iteration of a step may leave
+_MESH_SHARE = 0.5  # of the accuracy, for the mesh; the rest is for the steps in time
+_PARTS = 40  # of the shortest period: the first step that is tried
+_PERIODS = 4.0  # that a trial takes
+_SERIES_STEPS = 400  # that a trial takes where nothing is periodic
+_AIM = 0.5  # of the accuracy: the error that a step is chosen for
+_LONGEST, _SHORTEST = 4.0, 1.0 / 64.0  # of the first step
+_TRIALS = 3
+
+
+@dataclass(frozen=True, eq=False)
+class Begun:
+    """A foundation at the end of statics: its model and the state there.
+
+    peak: under its largest loads in statics, which the mesh suits. reach: how far it may move, m.
+    """
+
+    model: Model
+    rest: State
+    peak: Results
+    reach: float
+
+
+def begun(scene: Scene, foundation: Foundation) -> Begun:
+    """Bring a foundation to the end of statics on a mesh that suits its loads in motion.
+
+    Raises AnalysisFailed where statics has no equilibrium.
+    """
+    accuracy = _MESH_SHARE * scene.numerics.accuracy
+    still = replace(scene, numerics=replace(scene.numerics, accuracy=accuracy, follow_path=False))
+    largest_loads = solve(replace(still, steps=peaks(scene)), foundation)
+    model = rebuilt(still, largest_loads.model, largest_loads.model.edges, 0)
+    states, failure, interrupted = run(model, factors_of(scene), limits(still))
+    if interrupted:
+        raise KeyboardInterrupt
+    if failure is not None or not states:
+        raise AnalysisFailed(
+            f"{foundation.name}: statics has no equilibrium, so there is no state to move from"
+        )
+    moved = [largest(q) for s in (*largest_loads.states, *states) for q in (s.lateral, s.axial)]
+    return Begun(model, states[-1], largest_loads.results, max(moved, default=0.0))
+
+
+def peaks(scene: Scene) -> Steps:
+    """The static steps, and one more with every history at its largest factor."""
+    names, factors = scene.steps.names, scene.steps.factors
+    last = list(factors[-1]) if factors else [0.0] * len(names)
+    histories: list[Harmonic | TimeSeries] = [*scene.harmonics, *scene.series]
+    for history in histories:
+        last[names.index(history.name)] = largest_factor(history)
+    return Steps(names, (*factors, tuple(last)))
+
+
+def largest_factor(history: Harmonic | TimeSeries) -> float:
+    """The factor of largest size that a history comes to."""
+    return 1.0 if isinstance(history, Harmonic) else max(history.factors, key=abs)
+
+
+def simulation(
+    scene: Scene, dynamics: Dynamics, begun: list[Begun], step: float, until: float
+) -> Simulation:
+    """All foundations, and their twins, at the start of a motion of so many seconds."""
+    count = max(2 * ceil(0.5 * until / step * (1.0 - 1e-12)), 2)
+
+    def bodies() -> list[Body]:
+        return [body(scene, one.model, one.rest) for one in begun]
+
+    both = [
+        [started(b, dynamics.start, one.reach) for b, one in zip(bodies(), begun, strict=True)]
+        for _ in range(2)
+    ]
+    return Simulation(
+        both[0],
+        both[1],
+        integrator(dynamics),
+        until / count,
+        count,
+        _SHARE * scene.numerics.accuracy,
+        dynamics.iterations,
+    )
+
+
+def step_for(scene: Scene, dynamics: Dynamics, begun: list[Begun]) -> float:
+    """The step, s: as it was given, or one whose error is within the accuracy in a trial."""
+    if dynamics.step is not None:
+        return dynamics.step
+    whole = dynamics.end - dynamics.start
+    periods = [h.period for h in scene.harmonics]
+    first = step = min(periods) / _PARTS if periods else whole / _SERIES_STEPS
+    for _ in range(_TRIALS):
+        span = _PERIODS * max(periods) if periods else _SERIES_STEPS * step
+        trial = simulation(scene, dynamics, begun, step, min(span, whole))
+        for _ in trial.blocks():
+            pass
+        fine = trial.ending is not End.NO_BALANCE
+        share = sqrt(_AIM * scene.numerics.accuracy / max(trial.error, 1e-12)) if fine else 0.25
+        if 1.0 <= share <= 2.0:
+            break
+        step = float(np.clip(share * step, _SHORTEST * first, _LONGEST * first))
+    return step
