@@ -7,7 +7,9 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
+from scipy.linalg import eigh
 
 from podeep.cli.solve import main
 from podeep.errors import ExitCode
@@ -107,3 +109,23 @@ def test_accuracy_that_is_not_reached_is_told(run: Run, tmp_path: Path) -> None:
     coarse.write_text(re.sub(r"^\*ACCURACY(?! 1e-9).*\n(?:[^*\n].*\n)*", "", text, flags=re.M))
     _, err = run(coarse, "-n", 2)
     assert "warning: F1: the accuracy asked, 1e-09, was not reached" in err
+
+
+def test_a_stiff_column_on_mudline_springs_has_two_motions(run: Run, tmp_path: Path) -> None:
+    """The mass on its arm and the coupled springs through a deck, against 2 by 2 matrices."""
+    column = tmp_path / "column.deck"
+    column.write_text(
+        "*DEPTH\n-20\n*GROUNDEPTH\n0\n*GROUNDPROP\n0 0\n"
+        "*CASING\n1 COLUMN\n30 -20.01 5 0.05 210e9 7850 EI=1e16 EA=1e14 MASS=1e-3\n"
+        "*FONDATION\n1 1\n"
+        "*SUPPORT\n1 -20 Z\n*MASS\n1 34 350e3 1e6 2.5e7 0\n"
+        "*STIFFNESS\n1 -20 2.5748e9 2.25325e10 2.629123e11\n*MODEL PLANAR\n*STOP\n"
+    )
+    rows = list(csv.DictReader(io.StringIO(run(column, "-n", 2, "--csv")[0])))
+    height, mass, turning = 54.0, 350e3, 2.5e7  # about y, as the deflection is along x
+    inertia = np.array([[mass, -mass * height], [-mass * height, turning + mass * height**2]])
+    stiffness = np.array([[2.5748e9, 2.25325e10], [2.25325e10, 2.629123e11]])
+    exact = np.sqrt(eigh(stiffness, inertia)[0]) / (2.0 * np.pi)
+    found = [float(row["frequency_Hz"]) for row in rows]
+    assert found[0] == pytest.approx(exact[0], rel=1e-4)
+    assert found[1] == pytest.approx(exact[1], rel=1e-2)  # the column bends a little

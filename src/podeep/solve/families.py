@@ -7,8 +7,9 @@ stiffness or mass couples them.
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.linalg import cho_solve_banded
 
-from ..arrays import Array
+from ..arrays import Array, Index
 from ..beam.band import band_times, without
 from ..beam.bubbles import Bubbles, enriched
 from ..model.assemble import Model
@@ -16,9 +17,10 @@ from ..model.coupling import pressed, rubbed, rubs
 from ..model.inertia import mass_band, turning_inside
 from ..model.system import System
 from ..scene import Scene
-from .eigen import lowest
+from .eigen import lowest, shifted
 from .statics import State
 
+_SWEEPS = 2  # of inverse iteration, by which rounding of short elements' stiffness is taken out
 _RIGID = 1e-7  # of the shift: a lesser eigenvalue is that of a motion that nothing resists
 
 
@@ -46,17 +48,37 @@ class Family:
             components = self.system.components // step
             stiffness, mass, place = enriched(self.inside, stiffness, mass, components)
         _, vectors = lowest(stiffness, mass, count, self.shift)
+        factor = shifted(stiffness, mass, self.shift)[1]
         states = np.zeros((len(vectors), size))
-        states[:, self.part] = vectors[:, place]
-        weight = np.array([v @ band_times(mass, v) for v in vectors])
-        energy = np.array([q @ self.system.tangent_times(q) for q in states])
-        if self.inside is not None:
-            inner = vectors.copy()
-            inner[:, place] = 0.0
-            energy += [v @ band_times(stiffness, v) for v in inner]
+        weight, energy = np.ones((2, len(vectors)))
+        heavy = np.zeros_like(vectors)  # the mass times each vector
+        for i, v in enumerate(vectors):
+            for sweep in range(_SWEEPS + 1):
+                v -= (heavy[:i] @ v / weight[:i]) @ vectors[:i]
+                states[i, self.part] = v[place]
+                resisting = self.forces(stiffness, v, states[i], place)
+                heavy[i] = band_times(mass, v)
+                weight[i], energy[i] = v @ heavy[i], v @ resisting
+                if sweep < _SWEEPS:
+                    missing = resisting - energy[i] / weight[i] * heavy[i]
+                    v -= cho_solve_banded((factor, True), missing)
         squares = energy / weight
         squares[np.abs(squares) < _RIGID * self.shift] = 0.0
         return squares, states, weight
+
+    def forces(self, stiffness: Array, v: Array, q: Array, place: Index) -> Array:
+        """What resists a motion, without the rounding of the matrix; 0 at held unknowns.
+
+        v, q: the motion in the unknowns of the matrices and of the system, of which each stands at
+        its place among the former.
+        """
+        own = self.system.tangent_times(q)
+        own[self.system.held] = 0.0
+        inside = v.copy()
+        inside[place] = 0.0
+        total = band_times(stiffness, inside) if self.inside is not None else inside
+        total[place] = own[self.part]
+        return total
 
     @property
     def shift(self) -> float:

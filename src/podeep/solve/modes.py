@@ -34,6 +34,7 @@ _PLACES = 41  # depths of each tube at which shapes are given
 _ROUNDS = 8  # of refinement
 _PATIENCE = 2  # rounds without a better mesh
 _MOST_ELEMENTS = 1000
+_SHORT = 2e-3  # of the length of all tubes: elements that are not halved
 _LEAST = 1e-10  # error that rounding alone may make
 _STRAIGHT = 0.01  # degrees between a direction and an axis that bears its name
 
@@ -116,8 +117,9 @@ def modes(
 
 
 def halved(edges: Array) -> Array:
-    """Edges with one more in the middle of each element."""
-    return np.sort(np.concatenate([edges, 0.5 * (edges[:-1] + edges[1:])]))
+    """Edges with one more in the middle of each element that is not so short as to be rounding."""
+    middle = 0.5 * (edges[:-1] + edges[1:])
+    return np.union1d(edges, middle[np.diff(edges) > _SHORT * np.ptp(edges)])
 
 
 def with_errors(one: Modes, other: Modes) -> Modes:
