@@ -33,7 +33,7 @@ solve.bordered solve.continuation solve.path solve.together solve.prolong solve.
 solve.accuracy solve.analysis solve.diagnosis
 solve.equations solve.stage solve.integrators solve.drive solve.moving solve.body solve.dynamics
 solve.simulate solve.plan
-solve.eigen solve.families solve.modes
+solve.eigen solve.families solve.about_state solve.modes
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read
 demand embedded capacity

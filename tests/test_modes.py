@@ -11,9 +11,10 @@ from modal_cases import CF11, CF16, ENDS, NOTHING, beam, oc3, rows
 from podeep.beam.band import band_times
 from podeep.errors import AnalysisFailed, UserError
 from podeep.scene import Ground, Load, Mass, Numerics, Scene, Spring, Steps, Support
+from podeep.solve.about_state import state_of, suited
 from podeep.solve.analysis import rebuilt
 from podeep.solve.families import Family, families
-from podeep.solve.modes import Modes, halved, modes, state_of, suited
+from podeep.solve.modes import Modes, halved, modes
 from scenes import reference_pile, sand, sand_shaft
 
 FINE = Numerics(accuracy=1e-6)
