@@ -20,19 +20,20 @@ soil.polyline soil.law soil.backbone soil.soft_clay soil.sand soil.initial_line 
 soil.weak_rock
 soil.reese_sand soil.iso_clay soil.pisa_fits soil.pisa soil.lateral soil.axial soil.layering
 soil.layers soil.surroundings soil.kinds soil.equivalent soil.reaction soil.profile soil.curves
+soil.memory soil.energy soil.masing soil.degrading soil.approach soil.gap soil.near_field
+soil.series soil.py_simple soil.tz_simple soil.qz_simple soil.tip_memory soil.memory_of
 soil.lateral_capacity soil.axial_capacity soil.required_length soil.spudcan soil.spudcan_bearing
 soil.spudcan_yield
 beam.__init__ beam.shapes beam.strings beam.rows beam.field beam.band beam.bubbles
 model.__init__ model.needs model.mesh model.weave model.compression model.contact model.points
 model.moduli model.springs model.system model.many model.footing model.holds model.weight
-model.around model.assemble
-model.inertia
+model.around model.assemble model.inertia model.remember
 model.recover model.results model.moved model.coupling model.effects model.grid
 solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.statics solve.loaded
 solve.bordered solve.continuation solve.path solve.together solve.prolong solve.across solve.refine
 solve.accuracy solve.analysis solve.diagnosis
-solve.equations solve.stage solve.integrators solve.drive solve.moving solve.body solve.dynamics
-solve.simulate solve.plan
+solve.equations solve.stage solve.integrators solve.drive solve.moving solve.body solve.starts
+solve.dynamics solve.simulate solve.plan
 solve.eigen solve.families solve.about_state solve.modes
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read

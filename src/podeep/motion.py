@@ -5,6 +5,7 @@ from typing import Literal
 
 from .errors import InvalidData
 
+Dof = Literal["X", "Y", "Z", "RX", "RY", "RZ"]
 Method = Literal["NEWMARK", "HHT", "GALPHA", "BATHE", "ROS2", "CENTRAL"]
 METHODS: tuple[Method, ...] = ("NEWMARK", "HHT", "GALPHA", "BATHE", "ROS2", "CENTRAL")
 Hysteresis = Literal["ELASTIC", "MASING", "GAP"]
@@ -53,7 +54,7 @@ class Start:
 
     tube: int
     elevation: float
-    dof: str
+    dof: Dof
     value: float
     velocity: float
 

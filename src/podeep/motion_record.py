@@ -68,7 +68,8 @@ class Ledger:
 
 
 def _way(track: Track, rows: Index | slice, origin: Array) -> Way:
-    return Way(track.q[rows], track.velocity[rows], track.acceleration[rows], origin)
+    resisted = None if track.resisted is None else track.resisted[rows]
+    return Way(track.q[rows], track.velocity[rows], track.acceleration[rows], origin, resisted)
 
 
 def ledger(scene: Scene, begun: Begun, body: Body) -> Ledger:

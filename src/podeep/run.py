@@ -16,6 +16,7 @@ from .files import make_folder
 from .record import Sheet, sheet
 from .report import run_report, step_table, summary
 from .risks.bearing import tip_support_check
+from .run_motion import MotionRun, check_motion, run_motion
 from .scene import Foundation, Scene, Steps
 from .soil.curves import CurveTable
 from .soil.curves import curves as soil_curves
@@ -33,6 +34,7 @@ class Run:
 
     failure: why the last steps are missing; empty if none are. risks: what was told of the deck
     before it was solved. supports: the load on supports along z against the soil's capacity.
+    motion: what came of the dynamic part, if there is one.
     """
 
     deck: Path
@@ -42,6 +44,7 @@ class Run:
     failure: str
     risks: tuple[str, ...] = ()
     supports: tuple[str, ...] = ()
+    motion: MotionRun | None = None
 
     def warnings(self) -> tuple[str, ...]:
         """What the user must know of results that are there."""
@@ -57,7 +60,8 @@ class Run:
             for s in self.solved
             if s.unestimated
         )
-        return rough + unknown
+        moved = () if self.motion is None else self.motion.warnings
+        return rough + unknown + moved
 
     def text(self, verbose: bool = False) -> str:
         """The report in words."""
@@ -68,7 +72,7 @@ class Run:
                 parts.append(step_table(one))
         parts += ["\n".join(wrap(line, 80, subsequent_indent="    ")) for line in self.supports]
         ending = f"written: {self.database}" if self.database else "checked, *STOP: nothing solved"
-        return "\n".join([*parts, ending])
+        return "\n".join([*parts, ending, *([self.motion.text] if self.motion else [])])
 
     def as_json(self) -> dict[str, Any]:
         """The report as plain data."""
@@ -77,6 +81,7 @@ class Run:
             "title": self.title,
             "foundations": [summary(one) for one in self.solved],
             "database": str(self.database) if self.database else None,
+            "motion": self.motion.as_json() if self.motion else None,
             "supports": list(self.supports),
             "warnings": [*self.risks, *self.warnings()],
             "failure": self.failure or None,
@@ -90,10 +95,12 @@ def run_deck(
     force: bool,
     accuracy: float | None,
     tell: Callable[[str], None] = lambda risk: None,
+    progress: Callable[[str], None] = lambda text: None,
 ) -> Run:
-    """Check a deck, solve it, and write NAME.dss into a directory.
+    """Check a deck, solve it, and write NAME.dss and, of a deck with motion, NAME.dst.
 
-    tell: takes what is risky in the deck, one by one, before anything is solved.
+    tell: takes what is risky in the deck, one by one, before anything is solved. progress: takes
+    how far a motion is.
 
     Raises UserError before anything is solved where the deck is at fault or the database could
     not be written. A step without equilibrium is no error here: the steps before it are written.
@@ -102,10 +109,13 @@ def run_deck(
     scene = deck.scene
     if accuracy is not None:
         scene = replace(scene, numerics=replace(scene.numerics, accuracy=accuracy))
-    target = directory / path.with_suffix(".dss").name
+    target, moved = (directory / path.with_suffix(ending).name for ending in (".dss", ".dst"))
     if deck.solve:
         make_folder(directory)
         check_target(target, force=force)
+        if scene.dynamics is not None:
+            check_target(moved, force=force)
+            check_motion(scene)
     risks = tuple(risks_in(scene))
     for risk in risks:
         tell(risk)
@@ -121,7 +131,13 @@ def run_deck(
     interrupted = solved[-1].interrupted
     write(target, deck, scene, sheets, failure, interrupted=interrupted, force=force)
     supports = tuple(filter(None, (tip_support_check(scene, f) for f in scene.foundations)))
-    return Run(path, scene.title, solved, target, failure, risks, supports)
+    motion = None
+    if scene.dynamics is not None and not failure:
+        motion = run_motion(
+            deck, scene, moved, force=force, history=f"podeep-solve run {path.stem}", tell=progress
+        )
+        failure = motion.failure
+    return Run(path, scene.title, solved, target, failure, risks, supports, motion)
 
 
 def until_interrupted(scene: Scene) -> Iterator[Solved]:

@@ -1,15 +1,17 @@
 """The dynamic part of a run: foundations set in motion, followed, and written as they go."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from time import monotonic
+from typing import Any
 
 import numpy as np
 
 from .arrays import Array, Index
 from .database.write import Writer
 from .deck.read import Deck
+from .errors import Fault, UserError
 from .model.moved import Moved
 from .motion_record import Ledger, ledger
 from .scene import Dynamics, Scene
@@ -51,6 +53,35 @@ class MotionRun:
             f"{mean:.1f} iterations a step\n"
             f"    estimated error of displacements {self.error:.1e}, asked {self.accuracy:.0e}\n"
             f"written: {self.database}, {self.records} times"
+        )
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What the user must know of results that are there."""
+        if self.error <= self.accuracy:
+            return ()
+        return (
+            f"the accuracy asked, {self.accuracy:g}, was not reached in motion: the estimated "
+            f"error of the displacements is {self.error:.1e} with steps of {self.step:g} s",
+        )
+
+    def as_json(self) -> dict[str, Any]:
+        """The report as plain data."""
+        return {**asdict(self), "database": str(self.database), "failure": self.failure or None}
+
+
+def check_motion(scene: Scene) -> None:
+    """Raises UserError for what a scene asks of its motion and cannot have."""
+    dynamics, moved = scene.dynamics, {d.name for d in scene.displacements}
+    names = [h.name for h in scene.harmonics] + [h.name for h in scene.series]
+    driven = [name for name in names if name in moved]
+    if dynamics is not None and dynamics.method == "ROS2" and driven:
+        raise UserError(
+            Fault(
+                f"METHOD=ROS2 takes no imposed motion, but {driven[0]} is a displacement with a "
+                "history",
+                "choose another method, or leave it to the program",
+            )
         )
 
 

@@ -12,6 +12,7 @@ from typing import Literal
 from .errors import InvalidData
 from .motion import CoupledSpring as CoupledSpring
 from .motion import Damping as Damping
+from .motion import Dof as Dof
 from .motion import Dynamics as Dynamics
 from .motion import Harmonic as Harmonic
 from .motion import Hysteresis as Hysteresis
@@ -24,7 +25,6 @@ from .tubes import Sliding as Sliding
 from .tubes import Tie as Tie
 from .tubes import Tube as Tube
 
-Dof = Literal["X", "Y", "Z", "RX", "RY", "RZ"]
 DOFS: tuple[Dof, ...] = ("X", "Y", "Z", "RX", "RY", "RZ")
 Interpolation = Literal["PARAMETERS", "LOADS"]
 Layering = Literal["NONE", "GEORGIADIS"]

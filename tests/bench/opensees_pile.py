@@ -23,9 +23,14 @@ EVERY = 8  # embedded elements from one mesh to the next: a node stands on the l
 _MOST = 1000  # embedded elements
 
 
-def spring(number: int, reaction: Reaction, share: float, reach: float) -> None:
-    """An OpenSees material through 400 points of a reaction times a share."""
-    half = reach * np.sinh(np.linspace(0.0, 14.0, 201)[1:]) / np.sinh(14.0)
+def spring(
+    number: int, reaction: Reaction, share: float, reach: float, dense: float = 14.0
+) -> None:
+    """An OpenSees material through 400 points of a reaction times a share.
+
+    dense: how much closer points lie at rest than at the reach, as a power of e.
+    """
+    half = reach * np.sinh(np.linspace(0.0, dense, 201)[1:]) / np.sinh(dense)
     u = np.concatenate([-half[::-1], [0.0], half])
     force = share * reaction.evaluate(u[:, None])[0][:, 0]
     ops.uniaxialMaterial("ElasticMultiLinear", number, "-strain", *u, "-stress", *force)

@@ -13,7 +13,7 @@ from .. import __version__
 from ..errors import AnalysisFailed, ExitCode, Fault, UserError
 from ..files import make_folder
 from ..units import short
-from .chart import chart
+from .chart import chart, progress
 from .common import guarded
 from .modes import add_modes
 
@@ -126,9 +126,17 @@ def run(options: argparse.Namespace) -> ExitCode:
     """Solve a deck and write its static database."""
     from ..run import run_deck
 
-    done = run_deck(
-        options.deck, options.directory, force=options.force, accuracy=options.accuracy, tell=warn
-    )
+    try:
+        done = run_deck(
+            options.deck,
+            options.directory,
+            force=options.force,
+            accuracy=options.accuracy,
+            tell=warn,
+            progress=progress,
+        )
+    finally:
+        progress("")
     for warning in done.warnings():
         warn(warning)
     if options.json:
@@ -136,7 +144,7 @@ def run(options: argparse.Namespace) -> ExitCode:
     elif not options.quiet:
         print(done.text(verbose=options.verbose))
     if done.failure:
-        where = f"what was computed is in {done.database}"
+        where = f"what was computed is in {done.motion.database if done.motion else done.database}"
         raise AnalysisFailed(f"{done.failure}\n  {where}" if done.database else done.failure)
     return ExitCode.DONE
 

@@ -7,9 +7,10 @@ import numpy as np
 
 from ..arrays import Array
 from ..beam.field import Field
-from ..beam.shapes import gauss_points
+from ..beam.shapes import gauss_interpolation, gauss_points
 from ..beam.strings import summed
 from .inertia import Inertia
+from .points import Points
 from .recover import EndForces, Spread, end_forces
 from .results import Results, acting, reacted
 
@@ -18,13 +19,16 @@ from .results import Results, acting, reacted
 class Way:
     """How one problem moves: unknowns, velocities and accelerations, (steps, unknowns) each.
 
-    origin: unknowns from which the soil's motion counts, (unknowns,).
+    origin: unknowns from which the soil's motion counts, (unknowns,). resisted: what the soil
+    resists at the points beside what it does at the end of statics, (steps, points), where that
+    depends on the way.
     """
 
     q: Array
     velocity: Array
     acceleration: Array
     origin: Array
+    resisted: Array | None = None
 
 
 @dataclass(frozen=True)
@@ -57,11 +61,17 @@ class Moved(Results):
         return getattr(self.still, name)(x) if self.still is not None and self.shown else 0.0
 
     def lateral_reaction(self, x: Array) -> Array:
+        if self.deflecting.resisted is not None:
+            found = self._between(self.model.lateral.system.points[0], self.deflecting.resisted, x)
+            return found[:, None] + self._behind("lateral_reaction", x)
         reaction = self.model.profile.lateral(x, self.diameter(x))
         moved = self.deflection(x) - self._from(self.deflecting.origin).deflection(x)
         return reacted(moved, reaction) + self._behind("lateral_reaction", x)
 
     def axial_reaction(self, x: Array) -> Array:
+        if self.stretching.resisted is not None:
+            found = self._between(self.model.axial.system.points[0], self.stretching.resisted, x)
+            return found + self._behind("axial_reaction", x)
         reaction = self.model.profile.shaft(x, self.diameter(x))
         moved = self.settlement(x) - self._from(axial=self.stretching.origin).settlement(x)
         return reaction.evaluate(moved)[0] + self._behind("axial_reaction", x)
@@ -70,10 +80,26 @@ class Moved(Results):
         depth, moved = self.model.edges[-1:], self._from(axial=self.stretching.origin)
         if self.model.footing is not None or self.still is None:
             return super().tip()
-        reaction = self.model.profile.tip(float(depth[0]), float(self.diameter(depth)[0]))
         u = self.settlement(depth)
+        if self.stretching.resisted is not None:
+            return u[:, 0], self.stretching.resisted[:, -1] + self._still_tip()
+        reaction = self.model.profile.tip(float(depth[0]), float(self.diameter(depth)[0]))
         force = reaction.evaluate(u - moved.settlement(depth))[0][:, 0]
-        return u[:, 0], force + (self.still.tip()[1] if self.shown else 0.0)
+        return u[:, 0], force + self._still_tip()
+
+    def _still_tip(self) -> Array | float:
+        return self.still.tip()[1] if self.still is not None and self.shown else 0.0
+
+    def _between(self, points: Points, values: Array, x: Array) -> Array:
+        """Values at Gauss points, (steps, points), by their polynomials at depths x."""
+        edges = self.model.edges
+        interval = np.clip(np.searchsorted(edges, x, side="left") - 1, 0, len(edges) - 2)
+        first = int(np.searchsorted(edges, points.x[0], side="left")) - 1
+        count = len(points.x) // (len(edges) - 1 - first)
+        middle, half = 0.5 * (edges[1:] + edges[:-1]), 0.5 * np.diff(edges)
+        shares = gauss_interpolation((x - middle[interval]) / half[interval], count)
+        place = (interval - first)[:, None] * count + np.arange(count)
+        return np.asarray(np.einsum("xg,sxg->sx", shares, values[:, np.maximum(place, 0)]))
 
     def _from(self, lateral: Array | None = None, axial: Array | None = None) -> Results:
         """One state of the model, at rest where it is not given."""
@@ -88,6 +114,7 @@ class Moved(Results):
     def point_forces(self) -> list[Array]:
         system = self.model.lateral.system
         felt = system.motions(self.lateral - self.deflecting.origin)
+        resisted = self.deflecting.resisted
         whole, speed = (system.motions(v) for v in (self.lateral, self.deflecting.velocity))
         still = None if self.still is None else self.still.point_forces
         found: list[Array] = []
@@ -98,7 +125,10 @@ class Moved(Results):
                 pressed = self._pressed(points.x, points.tube)[:, None]
                 found.append(-pressed * whole[..., first:end])
                 continue
-            force = reacted(felt[..., first:end], points.reaction)
+            if resisted is None:
+                force = reacted(felt[..., first:end], points.reaction)
+            else:
+                force = resisted[:, None, first:end]
             if points.follows is not None:
                 force *= np.linalg.norm(found[points.follows], axis=1)[:, None]
             if still is not None:
@@ -137,7 +167,7 @@ class Moved(Results):
         heavy = summed(field.strings, self.inertia.axial)
         spread = [self._inertial(field, pulled, heavy, count)]
         felt = system.motions(self.axial - way.origin)[:, 0]
-        resisting = system.react(felt)[0]
+        resisting = system.react(felt)[0] if way.resisted is None else way.resisted
         if self.still is not None:
             rest = self.still.model.axial.system
             resisting = resisting + rest.react(rest.motions(self.still.axial)[:, 0])[0]

@@ -85,6 +85,29 @@ class Polyline:
         shape = np.broadcast_shapes(self.values.shape, self.scale.shape)
         return np.asarray(np.abs(np.broadcast_to(self.values, shape)).max(axis=0))
 
+    @cached_property
+    def _work(self) -> tuple[Array, Array, Array]:
+        """Nodes from 0 on, the reactions there, and their integral from 0, (m, n), over x."""
+        x = self.nodes[self.nodes >= 0.0]
+        count, n = np.broadcast_shapes(self.values.shape, self.scale.shape)
+        v = np.broadcast_to(self.values, (count, n))[count - len(x) :]
+        work = np.zeros((len(x), n))
+        np.cumsum(0.5 * (v[1:] + v[:-1]) * np.diff(x)[:, None], axis=0, out=work[1:])
+        return x, v, work
+
+    def energy(self, u: Array) -> Array:
+        """Integral of the reaction from 0 to u >= 0 of shape (..., n)."""
+        nodes, values, work = self._work
+        x = u / self.scale
+        left = nodes.searchsorted(x, side="right") - 1
+        right, point = np.minimum(left + 1, len(nodes) - 1), np.arange(values.shape[1])
+        step, width = x - nodes[left], nodes[right] - nodes[left]
+        start = values[left, point]
+        rise = np.divide(
+            values[right, point] - start, width, out=np.zeros(x.shape), where=width > 0.0
+        )
+        return self.scale * (work[left, point] + step * (start + 0.5 * rise * step))
+
     def evaluate(self, u: Array) -> tuple[Array, Array]:
         """Reaction and derivative, as `Law.evaluate`."""
         edges, offset, intercept, slope = self._segments

@@ -133,9 +133,9 @@ def _alone(term: Term) -> tuple[_Evaluate, int]:
 def _side_by_side(laws: Sequence[Term]) -> list[tuple[_Evaluate, int]]:
     """What is evaluated and at how many points, straight lines side by side as one."""
     found: list[tuple[_Evaluate, int]] = []
-    for lines, group in groupby(laws, lambda term: _lines(term.law) is not None):
+    for lines, group in groupby(laws, lambda term: plain_lines(term.law) is not None):
         terms = list(group)
-        curves = [curve for term in terms if (curve := _lines(term.law))]
+        curves = [curve for term in terms if (curve := plain_lines(term.law))]
         if lines and sum(len(curve.nodes) for curve in curves) <= _MOST_NODES:
             found.append((Polyline.joined(curves).evaluate, sum(len(t.at) for t in terms)))
         else:
@@ -143,7 +143,7 @@ def _side_by_side(laws: Sequence[Term]) -> list[tuple[_Evaluate, int]]:
     return found
 
 
-def _lines(law: Law) -> Polyline | None:
+def plain_lines(law: Law) -> Polyline | None:
     """The straight lines that a law is; None where it is more, or their nodes differ by point."""
     return lines if type(lines := law.polyline) is Polyline else None
 

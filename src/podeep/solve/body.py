@@ -14,6 +14,7 @@ from ..model.compression import compression
 from ..model.coupling import pressing, rubs
 from ..model.inertia import mass_band
 from ..model.points import Points
+from ..model.remember import remembered
 from ..model.system import System
 from ..scene import Scene
 from ..soil.profile import Profile, profile_of
@@ -86,12 +87,14 @@ def body(scene: Scene, static: Model, rest: State) -> Body:
             at_rest = getattr(plain, which).system
             origin, base = q, at_rest.softened(system.softening).internal(q)
         mass = mass_band(scene, model, which)
-        return Moving(
-            problem, mass, damping(scene, model, problem, mass, which), pushes, origin, base
-        )
+        lossy = damping(scene, model, problem, mass, which)
+        memory = remembered(system, scene.numerics.hysteresis, foundation.name)
+        if memory is not None:
+            memory.commit(system.displacement(q - origin)[:, 0])
+        return Moving(problem, mass, lossy, pushes, origin, base, memory)
 
     lateral = moving("lateral")
-    axial = moving("axial") if moves_along(model.axial, pushes) else None
+    axial = moving("axial") if moves_along(scene, model, pushes) else None
     squeeze = squeezed(model, static, rest) if static.needs.second_order else None
     if squeeze is not None:
         lateral.press(squeeze.band(rest.axial))
@@ -123,10 +126,12 @@ def softened(problem: Problem, rest: State) -> tuple[Problem, System]:
     return replace(problem, system=system), system
 
 
-def moves_along(problem: Problem, pushes: Drive) -> bool:
-    """Whether a load with a history acts along the tubes."""
-    moving = [place for place, _ in pushes.moving]
-    return bool(problem.forces[moving].any() or problem.imposed[moving].any())
+def moves_along(scene: Scene, model: Model, pushes: Drive) -> bool:
+    """Whether a load with a history acts along the tubes, or they start out of place there."""
+    moving, problem = [place for place, _ in pushes.moving], model.axial
+    tubes = model.foundation.tubes
+    starts = any(s.dof == "Z" and s.tube in tubes for s in scene.starts)
+    return starts or bool(problem.forces[moving].any() or problem.imposed[moving].any())
 
 
 def damping(scene: Scene, model: Model, problem: Problem, mass: Array, which: Which) -> Array:

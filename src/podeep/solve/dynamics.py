@@ -6,10 +6,9 @@ from enum import Enum
 import numpy as np
 from scipy.linalg import blas
 
-from ..arrays import Array
 from ..scene import Dynamics
 from .body import Body
-from .equations import Equations, State
+from .equations import State
 from .integrators import (
     Bathe,
     CentralDifference,
@@ -21,6 +20,7 @@ from .integrators import (
 from .moving import Moving
 from .newton import largest
 from .stage import Effort, NoBalance, Patience
+from .starts import Beginning
 
 HALVINGS = 12  # of a step without equilibrium
 _ALPHA = -0.05  # of HHT, which stands for the original's damped Newmark
@@ -141,13 +141,11 @@ def out_of_balance(equations: Moving, state: State) -> tuple[float, float]:
     return float(np.abs(forces.sum(axis=0)).max()), float(np.abs(forces).max())
 
 
-def started(body: Body, time: float, reach: float) -> Motion:
-    """A body at rest at the end of statics."""
+def started(body: Body, time: float, start: Beginning, reach: float) -> Motion:
+    """A body where its motion begins."""
     effort = Effort()
-
-    def begun(equations: Equations, q: Array) -> State:
-        return initial(equations, time, q, np.zeros_like(q), effort)
-
-    lateral = begun(body.lateral, body.rest.lateral)
-    axial = None if body.axial is None else begun(body.axial, body.rest.axial)
+    lateral = initial(body.lateral, time, start.lateral, start.lateral_velocity, effort)
+    axial = None
+    if body.axial is not None:
+        axial = initial(body.axial, time, start.axial, start.axial_velocity, effort)
     return Motion(body, lateral, axial, reach, effort)

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 from scipy.linalg import eigh, lapack
@@ -11,22 +10,13 @@ from ..arrays import Array, Index
 from ..beam.band import Times, band_times, dense, times, without
 from ..model.assemble import Problem
 from ..model.system import Reached, System
+from ..soil.memory import Memory
 
 _LOADS = 4  # times whose loads are kept: a step asks for those at its ends
 _KEPT = 8  # weights of mass and damping whose matrices are kept: steps are halved and doubled
 
 #: Factors of the loads at a time, s: values, first and second derivatives, (names,) each.
 Factors = Callable[[float], tuple[Array, Array, Array]]
-
-
-class Memory(Protocol):
-    """What resists at the points of a system on the way from the last commit."""
-
-    def evaluate(self, u: Array) -> tuple[Array, Array]:
-        """Force and its derivative at motions u."""
-
-    def commit(self, u: Array) -> None:
-        """The points have come to motions u."""
 
 
 @dataclass(slots=True)
@@ -160,4 +150,19 @@ class Moving:
 
     def commit(self, q: Array) -> None:
         if self.memory is not None:
-            self.memory.commit(self.system.displacement(q - self.origin)[:, 0])
+            self.memory.commit(self._felt(q))
+
+    def remembered(self, q: Array) -> Array | None:
+        """What the soil resists at the points in the state q, the last that was committed.
+
+        None where it follows from q alone.
+        """
+        return None if self.memory is None else self.memory.evaluate(self._felt(q))[0]
+
+    def dissipated(self) -> float:
+        """Energy that the soil has lost since the start, J."""
+        lost = 0.0 if self.memory is None else self.memory.dissipated
+        return float(np.sum(self.system.weight * lost))
+
+    def _felt(self, q: Array) -> Array:
+        return self.system.displacement(q - self.origin)[:, 0]

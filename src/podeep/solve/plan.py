@@ -10,10 +10,11 @@ from ..model.assemble import Model
 from ..model.results import Results
 from ..scene import Dynamics, Foundation, Harmonic, Scene, Steps, TimeSeries
 from .analysis import factors_of, limits, rebuilt, run, solve
-from .body import Body, body
-from .dynamics import End, integrator, started
+from .body import body
+from .dynamics import End, Motion, integrator, started
 from .newton import largest
 from .simulate import Simulation
+from .starts import Beginning, beginning
 from .statics import State
 
 _SHARE = 0.05  # of the accuracy: what the iteration of a step may leave
@@ -30,11 +31,13 @@ _TRIALS = 3
 class Begun:
     """A foundation at the end of statics: its model and the state there.
 
-    peak: under its largest loads in statics, which the mesh suits. reach: how far it may move, m.
+    start: from where it moves. peak: under its largest loads in statics, which the mesh suits.
+    reach: how far it may move, m.
     """
 
     model: Model
     rest: State
+    start: Beginning
     peak: Results
     reach: float
 
@@ -55,8 +58,10 @@ def begun(scene: Scene, foundation: Foundation) -> Begun:
         raise AnalysisFailed(
             f"{foundation.name}: statics has no equilibrium, so there is no state to move from"
         )
+    start = beginning(scene, model, states[-1])
     moved = [largest(q) for s in (*largest_loads.states, *states) for q in (s.lateral, s.axial)]
-    return Begun(model, states[-1], largest_loads.results, max(moved, default=0.0))
+    moved += [largest(start.lateral), largest(start.axial)]
+    return Begun(model, states[-1], start, largest_loads.results, max(moved))
 
 
 def peaks(scene: Scene) -> Steps:
@@ -80,16 +85,15 @@ def simulation(
     """All foundations, and their twins, at the start of a motion of so many seconds."""
     count = max(2 * ceil(0.5 * until / step * (1.0 - 1e-12)), 2)
 
-    def bodies() -> list[Body]:
-        return [body(scene, one.model, one.rest) for one in begun]
+    def motions() -> list[Motion]:
+        return [
+            started(body(scene, one.model, one.rest), dynamics.start, one.start, one.reach)
+            for one in begun
+        ]
 
-    both = [
-        [started(b, dynamics.start, one.reach) for b, one in zip(bodies(), begun, strict=True)]
-        for _ in range(2)
-    ]
     return Simulation(
-        both[0],
-        both[1],
+        motions(),
+        motions(),
         integrator(dynamics),
         until / count,
         count,

@@ -16,25 +16,34 @@ from .stage import NoBalance
 BLOCK = 1024  # steps
 
 
+#: A state of a problem, and what the soil resists at its points where that depends on the way.
+Row: TypeAlias = tuple[State, Array | None]
+Pair: TypeAlias = tuple[Row, Row | None]
+
+
 @dataclass(frozen=True, eq=False)
 class Track:
-    """Unknowns, velocities and accelerations of a problem, shape (steps, unknowns) each."""
+    """Unknowns, velocities and accelerations of a problem, shape (steps, unknowns) each.
+
+    resisted: what the soil resists at the points, where that depends on the way.
+    """
 
     q: Array
     velocity: Array
     acceleration: Array
+    resisted: Array | None
 
     @classmethod
-    def of(cls, states: Sequence[State]) -> "Track":
+    def of(cls, rows: Sequence[Row]) -> "Track":
         return cls(
-            np.array([s.q for s in states]),
-            np.array([s.velocity for s in states]),
-            np.array([s.acceleration for s in states]),
+            np.array([s.q for s, _ in rows]),
+            np.array([s.velocity for s, _ in rows]),
+            np.array([s.acceleration for s, _ in rows]),
+            None if rows[0][1] is None else np.array([r for _, r in rows]),
         )
 
 
 Tracks: TypeAlias = tuple[Track, Track | None]
-Pair: TypeAlias = tuple[State, State | None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +105,7 @@ class Simulation:
                 if not self._step():
                     break
                 for kept, motion in zip(states, every, strict=True):
-                    kept.append((motion.lateral, motion.axial))
+                    kept.append(_pair(motion))
                 spent = sum(m.effort.iterations for m in self.motions) - spent
                 part = min(m.part for m in self.motions) / self.h
                 work = sum(m.work for m in self.motions)
@@ -112,7 +121,7 @@ class Simulation:
     def beginning(self) -> Block:
         """The state before the first step, as a block of one."""
         every = [*self.motions, *self.twins]
-        tracks = tuple(_tracks([(m.lateral, m.axial)]) for m in every)
+        tracks = tuple(_tracks([_pair(m)]) for m in every)
         n = len(self.motions)
         times, none = np.array([self.time]), np.zeros(1, dtype=np.intp)
         there = np.ones(1, dtype=bool)
@@ -157,6 +166,15 @@ class Simulation:
                 self.apart = max(self.apart, largest(motion.lateral.q - twin.lateral.q))
                 if motion.axial is not None and twin.axial is not None:
                     self.apart = max(self.apart, largest(motion.axial.q - twin.axial.q))
+
+
+def _pair(motion: Motion) -> Pair:
+    """Where a motion is."""
+    body, axial = motion.body, motion.axial
+    lateral = motion.lateral, body.lateral.remembered(motion.lateral.q)
+    if body.axial is None or axial is None:
+        return lateral, None
+    return lateral, (axial, body.axial.remembered(axial.q))
 
 
 def _tracks(states: Sequence[Pair]) -> Tracks:

@@ -1,0 +1,81 @@
+"""The memory of a reaction under a rule of hysteresis, and what cannot have one."""
+
+from collections.abc import Sequence
+
+from ..arrays import Array
+from ..errors import InvalidData
+from ..motion import Hysteresis
+from .axial import Shaft
+from .backbone import SignedUserCurve
+from .degrading import Degrading
+from .energy import gives_back, half_way, held, softens
+from .gap import DRAG, Gap
+from .law import Law
+from .masing import Masing
+from .memory import Elastic, Memory
+from .reaction import Reaction
+from .tip_memory import Settling
+
+_FIELD = "HYSTERESIS"
+
+
+def memory_of(reaction: Reaction, hysteresis: Hysteresis, drag: Array | float = DRAG) -> Memory:
+    """The memory of a reaction at its points.
+
+        ELASTIC     none: up and down along the curve
+        MASING      `Masing`, `Degrading` where a law falls after a peak
+        GAP         the same behind a `Gap` of its own capacity and y50, but for shafts, along which
+                    none opens; drag: its ratio Cd
+
+    What resists compression alone is `Settling` in both. A reaction whose memory is not known
+    raises InvalidData with the reason in words.
+    """
+    if hysteresis == "ELASTIC":
+        return Elastic(reaction, reaction.size)
+    laws = [term.law for term in reaction.laws]
+    _check_known(laws, hysteresis)
+    if laws and not reaction.odd:
+        _check_secant(reaction, hysteresis)
+        return Settling(reaction, reaction.size)
+    envelope = held(reaction)
+    _check_secant(envelope, hysteresis)
+    falls = softens(reaction)
+    memory = Degrading(reaction) if falls else Masing(reaction, reaction.size)
+    if hysteresis == "MASING" or any(isinstance(law, Shaft) for law in laws):
+        return memory
+    peak = envelope.capacity
+    return Gap(memory, peak, half_way(envelope, peak), drag)
+
+
+def _check_known(laws: Sequence[Law], hysteresis: Hysteresis) -> None:
+    for law in laws:
+        if law.follows_lateral:
+            raise InvalidData(
+                f"{type(law).__name__} comes for each unit of another reaction: what it would "
+                f"remember under {hysteresis} is not known",
+                "leave it elastic",
+                _FIELD,
+            )
+        if isinstance(law, SignedUserCurve) and law.polyline.nodes[0] < 0.0:
+            raise InvalidData(
+                f"a curve with sides of its own has no branches under {hysteresis}: Masing's rules "
+                "need the same curve both ways",
+                "give its rows for positive displacements alone, or choose ELASTIC",
+                _FIELD,
+            )
+    if len({law.odd for law in laws}) > 1:
+        raise InvalidData(
+            f"a curve for both directions and one for compression alone share a point under "
+            f"{hysteresis}",
+            "give them points of their own",
+            _FIELD,
+        )
+
+
+def _check_secant(reaction: Reaction, hysteresis: Hysteresis) -> None:
+    if reaction.laws and gives_back(reaction):
+        raise InvalidData(
+            f"a curve grows stiffer on its way: its loops under {hysteresis} would give energy",
+            "give rows whose slope falls from row to row, or choose ELASTIC",
+            _FIELD,
+        )
