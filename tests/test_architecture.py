@@ -24,27 +24,28 @@ soil.memory soil.energy soil.masing soil.degrading soil.approach soil.gap soil.n
 soil.series soil.py_simple soil.tz_simple soil.qz_simple soil.tip_memory soil.memory_of
 soil.lateral_capacity soil.axial_capacity soil.required_length soil.spudcan soil.spudcan_bearing
 soil.spudcan_yield
-beam.__init__ beam.shapes beam.strings beam.rows beam.field beam.band
+beam.__init__ beam.shapes beam.strings beam.rows beam.field beam.band beam.bubbles
 model.__init__ model.needs model.mesh model.weave model.compression model.contact model.points
-model.moduli model.system model.many model.footing model.holds model.weight model.around
-model.assemble model.inertia model.remember
+model.moduli model.springs model.system model.many model.footing model.holds model.weight
+model.around model.assemble model.inertia model.remember
 model.recover model.results model.moved model.coupling model.effects model.grid
 solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.statics solve.loaded
 solve.bordered solve.continuation solve.path solve.together solve.prolong solve.across solve.refine
 solve.accuracy solve.analysis solve.diagnosis
 solve.equations solve.stage solve.integrators solve.drive solve.moving solve.body solve.starts
 solve.dynamics solve.simulate solve.plan
+solve.eigen solve.families solve.about_state solve.modes
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read
 demand embedded capacity
 risks.__init__ risks.ranges risks.risk risks.curves risks.site risks.piles risks.bearing
 checks record describe_motion describe report stiffness capacity_report query table picture figure
-soil_figure
+soil_figure modes_report modes_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result
 motion_record run_motion run
 study.__init__ study.settings study.chart study.measure study.chart_report study.chart_figure
-cli.__init__ cli.common cli.podeep cli.chart cli.solve
+cli.__init__ cli.common cli.podeep cli.chart cli.modes cli.solve
 """.split()
 
 FILES = sorted(SOURCE.rglob("*.py"))

@@ -126,6 +126,19 @@ class Field:
                 total = total + share * shape_functions(xi, 1, self.degree, order)
         return total
 
+    def rotated(self, xi: Array) -> Array:
+        """Rotation psi of the functions in use at xi in every element, unscaled, in half elements.
+
+        xi: shape (n,). Returns shape (elements * n, local).
+        """
+        every, places = self._everywhere(xi)
+        return self.mixed(self._turned(places, every, 0), every)
+
+    def _everywhere(self, xi: Array) -> tuple[Index, Array]:
+        """Each element with each of some places in it, (elements * n,) both."""
+        count = len(self.lengths)
+        return np.repeat(np.arange(count), len(xi)), np.tile(xi, count)
+
     @cached_property
     def mixture(self) -> Array | None:
         """How functions mix for end rotations of 1 and 0 in place of slopes; None if rigid.
@@ -214,8 +227,8 @@ class Field:
         points, order = self.degree + 1, self.continuity + 1
         if self.shear_stiffness is None:
             return [functions_at_gauss_points(self.continuity, self.degree, order, points)[None]]
-        count, xi = len(self.lengths), gauss_points(points)[0]
-        element, places = np.repeat(np.arange(count), points), np.tile(xi, count)
+        count = len(self.lengths)
+        element, places = self._everywhere(gauss_points(points)[0])
         values = [self._turned(places, element, order) for order in (1, 2)]
         return [self.mixed(v, element).reshape(count, points, self.local) for v in values]
 
@@ -258,16 +271,15 @@ class Field:
         polynomials, in its scaling.
         """
         xi, weight = gauss_points(self.degree + 1)
-        count, points = len(self.lengths), len(xi)
-        element, places = np.repeat(np.arange(count), points), np.tile(xi, count)
-        half = 0.5 * self.lengths
-        values = shape_functions(places, self.continuity, self.degree)
+        count, half = len(self.lengths), 0.5 * self.lengths
+        every, places = self._everywhere(xi)
+        values = self.mixed(shape_functions(places, self.continuity, self.degree), every)
         parts = [(amount * half, values)]
         if rotary is not None:
-            parts.append((rotary / half, self._turned(places, element, 0)))
+            parts.append((rotary / half, self.rotated(xi)))
         total = np.zeros((count, self.local, self.local))
         for factor, motion in parts:
-            one = self.mixed(motion, element).reshape(count, points, self.local)
+            one = motion.reshape(count, len(xi), self.local)
             total += factor[:, None, None] * (np.swapaxes(one * weight[:, None], 1, 2) @ one)
         return np.asarray(total * self.scale[:, :, None] * self.scale[:, None, :])
 

@@ -15,6 +15,7 @@ from ..files import make_folder
 from ..units import short
 from .chart import chart, progress
 from .common import guarded
+from .modes import add_modes
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -77,6 +78,8 @@ def parser() -> argparse.ArgumentParser:
     chart_.add_argument("--csv", action="store_true", help="every setting, full precision")
     chart_.add_argument("-o", dest="directory", type=Path, help="where to write a picture")
     chart_.set_defaults(command=chart)
+
+    add_modes(commands)
 
     stiffness_ = commands.add_parser("stiffness", help="stiffness under spudcans, every model")
     stiffness_.add_argument("deck", type=Path)

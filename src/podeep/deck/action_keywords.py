@@ -122,8 +122,8 @@ MASS = Keyword(
         ),
     ),
     "*MASS\n1 -50 350e3 0 4e6 0",
-    "A mass above the top of its tube stands on a rigid arm. It takes part in motion, not in "
-    "statics.",
+    "A mass above the top of its tube stands on a rigid arm. It takes part in motion, and in "
+    "statics by its weight with *MODEL WEIGHT=ON.",
 )
 
 STIFFNESS = Keyword(

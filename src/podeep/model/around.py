@@ -117,7 +117,7 @@ def turning(profile: Profile, lateral: Points, width: Array) -> list[Points]:
 def heavy(
     scene: Scene, foundation: Foundation, pieces: Sequence[Stretch], field: Field
 ) -> Iterator[Weights]:
-    """The weight of each tube along it, down the stretch."""
+    """The weight of each tube along it, down the stretch, and of the masses on it."""
     middle = 0.5 * (field.edges[:-1] + field.edges[1:])
     piece = np.searchsorted([p.bottom for p in pieces], middle)
     count = field.degree + 1
@@ -131,3 +131,9 @@ def heavy(
             if section is not None
         ]
         yield Weights(x, share, np.repeat(weights, count), tube)
+    for mass in scene.masses:
+        if mass.tube in foundation.tubes:
+            place = min(mass.elevation, scene.tubes[mass.tube].top)
+            at, force = foundation.mudline - place, mass.mass * scene.sea.gravity
+            tube = foundation.tubes.index(mass.tube)
+            yield Weights(np.array([at]), np.ones(1), np.array([force]), tube, spread=False)

@@ -1,6 +1,6 @@
 """Point data of a scene, what holds and drives the tubes, as unknowns of one field."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from ..beam.field import Field
 from ..scene import Dof, Foundation, Scene
 from .footing import Footing
 from .needs import Needs
-from .points import Spring
+from .springs import Spring
 
 # Component of the deflection that a degree of freedom moves, its derivative, and its sign there.
 _LATERAL: Mapping[Dof, tuple[int, int, float]] = {
@@ -34,6 +34,7 @@ class Collector:
         self.scene, self.field, self.under = scene, field, under
         self.mudline, self.tubes = foundation.mudline, foundation.tubes
         self.axes = needs.direction if needs else ()
+        self.leaning = needs is not None and needs.second_order and scene.numerics.weight
         self.size = field.size * max(len(self.axes), 1)
 
     def unknowns(self, tube: int, elevation: float, dof: Dof) -> list[tuple[int, float, float]]:
@@ -65,6 +66,8 @@ class Collector:
                     spring.tube, spring.elevation, spring.dof
                 ):
                     springs.append(Spring(unknown, spring.stiffness * (cosine / length) ** 2))
+        springs += self._coupled()
+        springs += self._toppling() if self.leaning else ()
         if self.under is not None:
             tip = self.mudline - float(self.field.edges[-1])
             carried = self.tubes[self.under.tube]
@@ -86,6 +89,36 @@ class Collector:
             if d.tube in self.tubes:
                 held.update(u for u, *_ in self.unknowns(d.tube, d.elevation, d.dof))
         return springs, np.array(sorted(held), dtype=np.intp)
+
+    def _coupled(self) -> Iterator[Spring]:
+        """Springs of deflection and slope together, alike in every component."""
+        field, components = self.field, len(self.axes)
+        length = field.slope_length
+        for spring in self.scene.coupled_springs:
+            if spring.tube in self.tubes and components:
+                node = field.node(self.mudline - spring.elevation, self.tubes.index(spring.tube))
+                for c in range(components):
+                    value, slope = node * components + c, (node + 1) * components + c
+                    yield Spring(value, spring.lateral)
+                    yield Spring(slope, spring.rotational / length**2)
+                    yield Spring(slope, spring.coupling / length, other=value)
+
+    def _toppling(self) -> Iterator[Spring]:
+        """What the weight of masses on rigid arms does to the slope at the foot of each arm.
+
+        A weight W at a height c above it, on a slope s, has a moment W c s about it: a spring of
+        -W c. The normal force in the tube below is with the others.
+        """
+        field, components = self.field, len(self.axes)
+        for mass in self.scene.masses:
+            if mass.tube in self.tubes:
+                top = self.scene.tubes[mass.tube].top
+                above = max(mass.elevation - top, 0.0)
+                node = field.node(self.mudline - top, self.tubes.index(mass.tube))
+                moment = mass.mass * self.scene.sea.gravity * above
+                for c in range(components):
+                    slope = (node + 1) * components + c
+                    yield Spring(slope, -moment / field.slope_length**2)
 
     def loads(self) -> tuple[Array, Array]:
         """Forces and imposed values of each named load, shape (names, unknowns)."""

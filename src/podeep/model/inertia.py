@@ -17,6 +17,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..beam.band import band_place, element_band
+from ..beam.bubbles import Bubbles, bubbles
 from ..beam.field import Field
 from ..beam.strings import summed
 from ..scene import Foundation, Mass, Scene, Sea, Section
@@ -103,6 +104,15 @@ def mass_band(
             for row, column, amount in lumped(scene, model.foundation, needs, field, mass):
                 band[band_place(np.array(row), np.array(column), system.width)] += amount
     return band.reshape((system.width, system.size), order="F")
+
+
+def turning_inside(scene: Scene, model: Model) -> Bubbles | None:
+    """Rotations that rotary inertia makes inside elements; None of tubes rigid in shear."""
+    field = model.lateral.system.field
+    if field.shear_stiffness is None:
+        return None
+    own = inertia(scene, model.foundation, model.pieces, field.edges)
+    return bubbles(field, summed(field.strings, own.rotary))
 
 
 def arm(scene: Scene, mass: Mass) -> float:

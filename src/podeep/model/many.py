@@ -25,9 +25,9 @@ def internal_of_many(system: System, states: Array) -> tuple[Array, Array]:
         force, modulus = system.react(distance)
         across = force / distance
         moduli = directed(modulus, across, u, distance)
-        seen[:count] = (u * across[..., None]).transpose(1, 0, 2).reshape(count, -1)
+        seen[:count] = (u * across[..., None]).transpose(1, 0, 2).reshape(count, steps * m)
     inner = system._balance.dot(seen).reshape(-1, steps, m).transpose(1, 0, 2)
-    return inner.reshape(steps, -1) + system._springs * states, moduli
+    return inner.reshape(steps, -1) + system.springs.forces(states), moduli
 
 
 def solve_many(system: System, moduli: Array, right: Array) -> Array | None:

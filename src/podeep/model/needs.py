@@ -97,7 +97,7 @@ def common_axis(vectors: list[tuple[float, float]]) -> float | None:
 
 
 def isotropic(scene: Scene, foundation: Foundation) -> bool:
-    """Whether everything that holds the tube sideways holds it alike in x and y."""
+    """Whether everything that holds the tube sideways, or weighs it down, is alike in x and y."""
     hold: dict[tuple[int, float, bool, str], list[float]] = {}
 
     def add(kind: str, tube: int, elevation: float, dof: str, amount: float) -> None:
@@ -110,6 +110,9 @@ def isotropic(scene: Scene, foundation: Foundation) -> bool:
             add("held", support.tube, support.elevation, dof, 1.0)
     for spring in scene.springs:
         add("spring", spring.tube, spring.elevation, spring.dof, spring.stiffness)
+    for mass in scene.masses:
+        add("mass", mass.tube, mass.elevation, "RX", mass.inertia[0])
+        add("mass", mass.tube, mass.elevation, "RY", mass.inertia[1])
     for d in scene.displacements:
         add("moved", d.tube, d.elevation, d.dof, 1.0)
     return all(pair[0] == pair[1] for pair in hold.values())
@@ -158,4 +161,4 @@ def needs(scene: Scene, foundation: Foundation) -> Needs:
             else ("no lateral load")
         )
         return made(axis, 1, Decision("planar", reason))
-    return made(axis, 2, Decision("spatial", "supports or springs differ in x and y"))
+    return made(axis, 2, Decision("spatial", "supports, springs or masses differ in x and y"))

@@ -1,4 +1,4 @@
-"""Where reactions act on a field, and what holds single unknowns of it."""
+"""Where reactions act on a field."""
 
 from dataclasses import dataclass
 
@@ -47,15 +47,3 @@ class Points:
         other = field.motion(self.x, self.motion, self.against)
         dofs = np.concatenate([own.dofs, other.dofs], axis=1)
         return Rows(dofs, np.concatenate([own.shares, -other.shares], axis=1), field.size)
-
-
-@dataclass(frozen=True)
-class Spring:
-    """A linear spring to ground at one unknown, N/m in the field's scaling.
-
-    softens: its stiffness is multiplied by the system's `softening`.
-    """
-
-    dof: int
-    stiffness: float
-    softens: bool = False

@@ -36,7 +36,7 @@ def axial_ends(model: Model, axial: Array, deflection: Array) -> EndForces:
         else:
             force = rubbing.pressed(apart(model, deflection, points)).force(u)
         spread += acting(system.field, points, force, count)
-    for w in model.axial.weights:
+    for w in (w for w in model.axial.weights if w.spread):
         on = system.field.elements(w.x[::count], w.tube)
         spread.append(Spread(on, np.broadcast_to(-w.force, (*axial.shape[:-1], len(w.force)))))
     return end_forces(system.field, axial, spread, count)

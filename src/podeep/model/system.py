@@ -24,12 +24,15 @@ from ..beam.field import Field
 from ..beam.rows import Rows, stacked
 from ..soil.reaction import Reaction
 from .moduli import NOTHING, directed, secant
-from .points import Points, Spring
+from .points import Points
+from .springs import Spring, springs_of
 
 _FAR = 0.1  # displacement at which any soil is taken to have its capacity, m: for directions alone
 _FURTHEST = 10.0  # displacement at which a contact is surely closed, m
 _FIRST = 1e-3  # displacement whose secants take a state from rest, m
 _STEEP = 100.0  # times these secants from which the tangent at rest counts as infinite
+_TINY = 1e-6  # displacement whose secant the tangent at rest exceeds by far if it is infinite, m
+_INFINITE = 2.0  # times that secant
 _SHARE = 1e-4  # of the secant: least modulus where a tangent has to be made positive definite
 
 
@@ -63,7 +66,8 @@ class System:
         weight = np.concatenate([p.weight for p in points]) if points else np.zeros(0)
         self.weight = weight
         rows = [p.rows(field) for p in points]
-        self._build_tangent(rows, springs)
+        self.springs = springs_of(springs, self.size)
+        self._build_tangent(rows)
         modes, stiffness = field.strain_modes
         # displacements at the points and strains at once; then the forces of both at once
         self._observe = stacked([*rows, modes], field.size)
@@ -73,13 +77,8 @@ class System:
         self.softening = 1.0
         self._at: Array | None = None
         self.reached: Reached
-        self._sprung, self._springs = bool(springs), np.zeros(self.size)
-        np.add.at(self._springs, [s.dof for s in springs], [s.stiffness for s in springs])
-        soft = [s for s in springs if s.softens]
-        self._soft = np.zeros(self.size)
-        np.add.at(self._soft, [s.dof for s in soft], [s.stiffness for s in soft])
 
-    def _build_tangent(self, points: Sequence[Rows], springs: Sequence[Spring]) -> None:
+    def _build_tangent(self, points: Sequence[Rows]) -> None:
         field, m = self.field, self.components
         coupled = [field.dofs, *(rows.dofs for rows in points if len(rows.dofs))]
         self.width = max(bandwidth(dofs) for dofs in coupled) * m
@@ -89,8 +88,7 @@ class System:
 
         shape = (field.size, m)
         linear = element_band(field.dofs, field.element_stiffness, self.width, shape)
-        for spring in springs:
-            linear[spring.dof * self.width] += spring.stiffness
+        self.springs.add_to(linear, self.width)
         self.diagonal = linear[:: self.width].copy()
         keep = self._kept(free)
         linear *= keep
@@ -159,16 +157,16 @@ class System:
 
     def outer_forces(self, q: Array, load: Array) -> Array:
         """Loads and forces of the springs to ground at each unknown, N in the field's scaling."""
-        return np.asarray(np.maximum(np.abs(load), np.abs(self._springs * q)))
+        return np.asarray(np.maximum(np.abs(load), np.abs(self.springs.forces(q))))
 
     def softened(self, factor: float) -> "System":
         """The same system with the springs that soften at a share of their full stiffness."""
         if factor == self.softening:
             return self
         other = copy(self)
-        change = (factor - self.softening) * self._soft
+        change = (factor - self.softening) * self.springs.soft
         change[self.held] = 0.0
-        other.softening, other._springs = factor, self._springs + change
+        other.softening, other.springs = factor, self.springs.stiffer(change)
         other._at = None
         other.linear = self.linear.copy()
         other.linear[:: self.width] += change
@@ -258,8 +256,8 @@ class System:
             seen[:count] *= across[:, None]
         self._at, self.reached = q, (u, distance, force, modulus, across)
         inner: Array = self._balance.dot(seen).ravel()
-        if self._sprung:
-            inner += self._springs * q
+        if self.springs.any:
+            inner += self.springs.forces(q)
         return inner
 
     def solve(self, right: Array) -> Array | None:
@@ -338,6 +336,23 @@ class System:
         """Lower band of the exact tangent at the last `internal`, held unknowns apart from it."""
         return self._band(self.reached[3])
 
+    def blunted(self, displacement: float) -> bool:
+        """Make the tangent at the last `internal` a secant where it has no bound; whether it had.
+
+        A reaction whose slope at rest is infinite has a tangent, within a micrometre of rest, that
+        is far steeper than its secant there. The secant at the given displacement (m) takes its
+        place.
+        """
+        u, distance, force, modulus, across = self.reached
+        places = np.outer((_TINY, displacement), np.ones(self._count))
+        near, far = np.abs(self.react(places)[0]) / places
+        steep = (np.abs(distance) < _TINY) & (modulus > _INFINITE * near)
+        modulus = np.where(steep, far, modulus)
+        if across is not None:
+            across = np.where(steep, far, across)
+        self._at, self.reached = None, (u, distance, force, modulus, across)
+        return bool(steep.any())
+
     def tangent_times(self, move: Array) -> Array:
         """What the last `internal` grows by along a small move of all unknowns, held ones too."""
         modulus, count = self.reached[3], self._count
@@ -350,7 +365,7 @@ class System:
             u, v = seen[:count].T.copy()
             seen[:count, 0] = xx * u + xy * v
             seen[:count, 1] = xy * u + yy * v
-        return np.asarray((self._balance @ seen).ravel() + self._springs * move)
+        return np.asarray((self._balance @ seen).ravel() + self.springs.forces(move))
 
     def _vector_moduli(self, along: Array, across: Array | None) -> Array:
         """xx, yy and xy moduli, one after the other, of a reaction along the displacement."""

@@ -2,6 +2,7 @@
 
 Every section weighs its mass and what it is filled with; below sea level the water takes off what
 its wall displaces, and its filling where it has one. An open tube without filling holds water.
+A lumped mass weighs what it does in air.
 """
 
 from dataclasses import dataclass
@@ -14,12 +15,16 @@ from ..scene import Sea, Section
 
 @dataclass(frozen=True, eq=False)
 class Weights:
-    """Weight along a tube, by its number, at Gauss points: depths x and their shares (m), N/m."""
+    """Weight along a tube, by its number, at Gauss points: depths x and their shares (m), N/m.
+
+    spread: it is along the tube, not a force (N) at one depth with a share of 1.
+    """
 
     x: Array
     share: Array
     force: Array
     tube: int
+    spread: bool = True
 
 
 def unit_weight(section: Section, sea: Sea, *, submerged: bool) -> float:

@@ -158,7 +158,7 @@ def better(one: Solved, other: Solved) -> bool:
 
 def factors_of(scene: Scene) -> Array:
     """Load factors, shape (steps, names)."""
-    return np.array(scene.steps.factors).reshape(len(scene.steps.factors), -1)
+    return np.array(scene.steps.factors).reshape(len(scene.steps.factors), len(scene.steps.names))
 
 
 def suited_model(scene: Scene, foundation: Foundation) -> tuple[Model, list[State]]:

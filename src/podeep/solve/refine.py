@@ -149,8 +149,8 @@ def _unresolved(
     resistance = _resistance(problem, states, at(x))
     if leader is not None:
         resistance = resistance * _norm(_resistance(problem, states, leader(x)))
-    steps, n = len(states), len(intervals)
-    resistance = resistance.reshape(steps, -1, n, len(places))
+    shape = (*resistance.shape[:2], len(intervals), len(places))
+    resistance = resistance.reshape(shape)
     known, true = resistance[..., :count], resistance[..., count:]
     error = np.abs(known @ interpolation - true)
     half = 0.5 * lengths
