@@ -13,12 +13,13 @@ from podeep.soil.gap import Gap
 from podeep.soil.masing import Masing
 from podeep.soil.memory import Elastic
 from podeep.soil.memory_of import memory_of
-from podeep.soil.pisa import PisaSandMoment
+from podeep.soil.pisa import PisaClayBaseShear, PisaSandMoment
 from podeep.soil.py_simple import PySimple
 from podeep.soil.qz_simple import QzSimple
 from podeep.soil.reaction import Reaction
 from podeep.soil.tip_memory import Settling
 from podeep.soil.tz_simple import TzSimple
+from test_soil_laws import CASES, SIGNED, draw_law
 
 PEAK, Y50 = np.array([1e3, 2e4, 3e5]), np.array([0.002, 0.01, 0.03])
 MAKERS = {
@@ -194,6 +195,15 @@ def test_table_22_qzsimple1():
 # --- which reaction has which memory ----------------------------------------------------------
 
 
+ROWS = UserCurve(points=((1e3, 0.1), (1.5e3, 0.2)), force_scale=np.ones(3))
+BASE = PisaClayBaseShear(
+    diameter=8.0,
+    embedded_length=32.0,
+    undrained_shear_strength=np.full(3, 1e5),
+    initial_shear_modulus=1e8,
+)
+
+
 @pytest.mark.parametrize(
     ("law", "hysteresis", "kind"),
     [
@@ -203,6 +213,8 @@ def test_table_22_qzsimple1():
         (LAWS["soft clay"], "GAP", Gap),
         (LAWS["shaft"], "MASING", Degrading),
         (LAWS["shaft"], "GAP", Degrading),
+        (ROWS, "GAP", Gap),
+        (BASE, "GAP", Masing),
         (TIP, "MASING", Settling),
         (TIP, "GAP", Settling),
         (TIP, "ELASTIC", Elastic),
@@ -216,6 +228,38 @@ def test_no_soil_has_a_memory_too():
     memory = memory_of(Reaction(3, ()), "GAP")
     np.testing.assert_array_equal(walk(memory, PATH)[0], 0.0)
     np.testing.assert_array_equal(memory.dissipated, 0.0)
+
+
+REMEMBERED = [
+    (kind, options)
+    for kind, options in CASES
+    if not kind.follows_lateral and options.get("points") != SIGNED
+]
+
+
+@pytest.mark.parametrize(
+    ("kind", "options"),
+    REMEMBERED,
+    ids=[f"{k.__name__}-{list(o.values())}"[:40] for k, o in REMEMBERED],
+)
+@settings(deadline=None, max_examples=8, derandomize=True)
+@given(st.data())
+def test_every_law_remembers_without_creating_energy(kind, options, data):
+    law = draw_law(data, kind, options)
+    path = data.draw(paths(3, 0.1, 8))
+    for hysteresis in ("MASING", "GAP"):
+        memory = memory_of(reaction(law), hysteresis)
+        first = path[0]
+        np.testing.assert_allclose(memory.evaluate(first)[0], law.force(first), rtol=1e-12)
+        last, scale = memory.dissipated, 0.1 * law.capacity
+        for u in path:
+            force, stiffness = memory.evaluate(u)
+            assert (np.abs(force) <= law.capacity * (1.0 + 1e-9)).all()
+            assert np.isfinite(stiffness).all()
+            memory.commit(u)
+            lost = memory.dissipated
+            assert (lost >= last - 1e-4 * scale).all()
+            last = lost
 
 
 SIDED = SignedUserCurve(points=((-1e3, -0.1), (2e3, 0.1)), force_scale=np.ones(3))
