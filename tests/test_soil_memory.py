@@ -17,6 +17,7 @@ from podeep.soil.pisa import PisaClayBaseShear, PisaSandMoment
 from podeep.soil.py_simple import PySimple
 from podeep.soil.qz_simple import QzSimple
 from podeep.soil.reaction import Reaction
+from podeep.soil.secant import Secant
 from podeep.soil.tip_memory import Settling
 from podeep.soil.tz_simple import TzSimple
 from test_soil_laws import CASES, SIGNED, draw_law
@@ -29,6 +30,7 @@ MAKERS = {
     "gap": lambda: memory_of(reaction(LAWS["soft clay"]), "GAP"),
     "gap, falling": lambda: memory_of(reaction(LAWS["stiff clay"]), "GAP"),
     "tip": lambda: memory_of(reaction(TIP), "MASING"),
+    "secant": lambda: Secant(reaction(LAWS["shaft"]), 3),
     "PySimple 1": lambda: PySimple(PEAK, Y50, 1, 0.1),
     "PySimple 2": lambda: PySimple(PEAK, Y50, 2, 0.3),
     "TzSimple 1": lambda: TzSimple(PEAK, Y50, 1),
@@ -190,6 +192,23 @@ def test_table_22_qzsimple1():
 
     worst = cycles("soil/22_*.csv", make, "z", "q_opensees", (0.04,), sign=-1.0)
     assert worst < 1e-7 * 500.0
+
+
+def test_pr14_unloading_through_the_origin():
+    backbone = UserCurve(
+        points=(
+            (51230.0, 0.0142),
+            (73505.0, 0.0427),
+            (111375.0, 0.1422),
+            (160375.0, 0.4267),
+            (6365.0, 2.1336),
+        ),
+        force_scale=np.ones(1),
+    )
+    table = rows("valid/PR14_history.csv") + rows("valid/PR14_turning_points.csv")
+    table.sort(key=lambda row: row["t_s"])
+    forces, _ = walk(Secant(backbone, 1), [[row["u_m"]] for row in table])
+    np.testing.assert_allclose(forces[:, 0], [row["fedem_force_N"] for row in table], atol=0.02)
 
 
 # --- which reaction has which memory ----------------------------------------------------------
