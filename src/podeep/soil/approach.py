@@ -14,6 +14,9 @@ import numpy as np
 
 from ..arrays import Array
 
+#: of a sum of a few terms, of the largest of them
+ROUNDING = 2e-15
+
 Values: TypeAlias = float | Array
 
 
@@ -55,10 +58,18 @@ def recoverable(P: Values, q: Array, start: Array, c: Values, n: float) -> Array
 
 
 def root(
-    function: Callable[[Array], tuple[Array, Array]], low: Array, high: Array, start: Array
+    function: Callable[[Array], tuple[Array, Array]],
+    low: Array,
+    high: Array,
+    start: Array,
+    noise: Array,
 ) -> Array:
-    """Where a rising function vanishes between low and high, by Newton's steps and halving."""
+    """Where a rising function vanishes between low and high, by Newton's steps and halving.
+
+    noise: what rounding within the function makes of its root.
+    """
     x, width = start, high - low
+    enough = 1e-14 * width + noise
     last, done = width, np.zeros(x.shape, dtype=bool)
     for _ in range(100):
         value, slope = function(x)
@@ -72,7 +83,7 @@ def root(
         new = np.where(done | (value == 0.0), x, np.where(good, new, 0.5 * (low + high)))
         last = np.abs(new - x)
         x = new
-        done |= last <= 1e-14 * width + 4e-16 * np.abs(x)
+        done |= last <= enough
         if done.all():
             break
     return x

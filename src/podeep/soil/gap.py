@@ -6,7 +6,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from ..arrays import Array, Flags
-from .approach import reached, recoverable, root, work
+from .approach import ROUNDING, reached, recoverable, root, work
 from .memory import Memory, nested, unnested
 
 #: Drag of a wide gap over the peak. Flanks of 2 D with an adhesion of half the strength bear su D
@@ -95,7 +95,8 @@ class Gap(Memory):
         inside, x = moves & ((most < room) | (excess(most)[0] > 0.0)), room
         if inside.any():
             span = np.where(inside, most, 0.0)
-            x = np.where(inside, root(excess, np.zeros(len(u)), span, span), room)
+            noise = ROUNDING * (np.abs(u) + np.abs(self.gap))
+            x = np.where(inside, root(excess, np.zeros(len(u)), span, span, noise), room)
         bound = np.where(sense > 0.0, self.right, self.left)
         gap = np.where(inside, self.gap + sense * x, np.where(moves, bound, self.gap))
         q, kq = reached(self.bound, base, before + x, self.way, 1.0)
