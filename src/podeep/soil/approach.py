@@ -14,6 +14,9 @@ import numpy as np
 
 from ..arrays import Array
 
+#: of a sum of a few terms, of the largest of them
+ROUNDING = 2e-15
+
 Values: TypeAlias = float | Array
 
 
@@ -55,20 +58,32 @@ def recoverable(P: Values, q: Array, start: Array, c: Values, n: float) -> Array
 
 
 def root(
-    function: Callable[[Array], tuple[Array, Array]], low: Array, high: Array, start: Array
+    function: Callable[[Array], tuple[Array, Array]],
+    low: Array,
+    high: Array,
+    start: Array,
+    noise: Array,
 ) -> Array:
-    """Where a rising function vanishes between low and high, by Newton's steps and halving."""
-    x, width = start, np.max(high - low, initial=0.0)
+    """Where a rising function vanishes between low and high, by Newton's steps and halving.
+
+    noise: what rounding within the function makes of its root.
+    """
+    x, width = start, high - low
+    enough = 1e-14 * width + noise
+    last, done = width, np.zeros(x.shape, dtype=bool)
     for _ in range(100):
         value, slope = function(x)
         below = value < 0.0
         low, high = np.where(below, x, low), np.where(below, high, x)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            new = x - value / slope
-        new = np.where((new >= low) & (new <= high), new, 0.5 * (low + high))
-        new = np.where(value == 0.0, x, new)
-        move = np.abs(new - x)
+            step = value / slope
+        new = x - step
+        # halve where Newton leaves the bracket, or its steps do not
+        good = (new >= low) & (new <= high) & (2.0 * np.abs(step) <= last)
+        new = np.where(done | (value == 0.0), x, np.where(good, new, 0.5 * (low + high)))
+        last = np.abs(new - x)
         x = new
-        if (move <= 1e-15 * width + 2e-16 * np.abs(x)).all():
+        done |= last <= enough
+        if done.all():
             break
     return x

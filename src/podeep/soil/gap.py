@@ -6,7 +6,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from ..arrays import Array, Flags
-from .approach import reached, recoverable, root, work
+from .approach import ROUNDING, reached, recoverable, root, work
 from .memory import Memory, nested, unnested
 
 #: Drag of a wide gap over the peak. Flanks of 2 D with an adhesion of half the strength bear su D
@@ -34,8 +34,8 @@ class Gap(Memory):
         soil    p(v), with its memory
         gap     rigid where it is shut, g = gr or g = gl; within it p is the drag alone:
                 q = +-Cd pult -+ (Cd pult -+ q0) (y50/2) / (y50/2 + |g - g0|)
-        room    gl = min over the past of 1.5 y50 - (y - p/ke), at most 0; gr likewise
-                ke = pult/y50
+        room    gl = 1.5 y50 - (y - p/ke), at most 0, at the largest y so far; gr likewise at the
+                least; ke = pult/y50
 
     (g0, q0): where the pile turned last within the gap. Behind the pile the gap opens by what it
     has moved for good, p/ke of the elastic soil and 1.5 y50 of rebound left out.
@@ -50,7 +50,8 @@ class Gap(Memory):
     """
 
     kept: ClassVar[tuple[str, ...]] = (
-        "u", "gap", "drag", "start", "start_drag", "sense", "left", "right", "worked",
+        "u", "gap", "drag", "start", "start_drag", "sense", "left", "right",
+        "highest", "lowest", "worked",
     )  # fmt: skip
 
     def __init__(self, soil: Memory, peak: Array, y50: Array, drag: Array | float = DRAG) -> None:
@@ -63,6 +64,7 @@ class Gap(Memory):
         zero = np.zeros(len(peak))
         self.u, self.gap, self.drag, self.start, self.start_drag = (zero.copy() for _ in range(5))
         self.left, self.right, self.worked = (zero.copy() for _ in range(3))
+        self.highest, self.lowest = zero.copy(), zero.copy()
         self.sense = np.ones(len(peak))
 
     def _origin(self, sense: Array) -> tuple[Array, Array]:
@@ -81,7 +83,6 @@ class Gap(Memory):
             return _Place(self.gap, self.drag, force, stiffness, moves, sense)
         room = np.where(moves, room, 0.0)
         before, base = self._origin(sense)
-        first = np.abs(more)
 
         def excess(x: Array) -> tuple[Array, Array]:
             """Drag less the soil's force, along the motion, after a way x in the gap."""
@@ -89,13 +90,13 @@ class Gap(Memory):
             q, kq = reached(self.bound, base, before + x, self.way, 1.0)
             return q - sense * p, kq + k
 
-        last, _ = excess(room)
-        inside = moves & (last > 0.0)
-        x = room
+        # the gap takes no more of the way than there is of it; the rest is the soil's
+        most = np.minimum(room, np.abs(u - self.u))
+        inside, x = moves & ((most < room) | (excess(most)[0] > 0.0)), room
         if inside.any():
-            span = np.where(inside, room, 0.0)
-            guess = span * first / np.where(inside, first + last, 1.0)
-            x = np.where(inside, root(excess, np.zeros(len(u)), span, guess), room)
+            span = np.where(inside, most, 0.0)
+            noise = ROUNDING * (np.abs(u) + np.abs(self.gap))
+            x = np.where(inside, root(excess, np.zeros(len(u)), span, span, noise), room)
         bound = np.where(sense > 0.0, self.right, self.left)
         gap = np.where(inside, self.gap + sense * x, np.where(moves, bound, self.gap))
         q, kq = reached(self.bound, base, before + x, self.way, 1.0)
@@ -124,8 +125,11 @@ class Gap(Memory):
             self.gap, self.drag = gap, drag
         self.soil.commit(u - gap)
         lasting = u - force * self.compliance
-        self.left = np.minimum(self.left, _REBOUND * self.y50 - lasting)
-        self.right = np.maximum(self.right, -_REBOUND * self.y50 - lasting)
+        left = np.minimum(self.left, _REBOUND * self.y50 - lasting)
+        right = np.maximum(self.right, -_REBOUND * self.y50 - lasting)
+        self.left = np.where(u > self.highest, left, self.left)
+        self.right = np.where(u < self.lowest, right, self.right)
+        self.highest, self.lowest = np.maximum(self.highest, u), np.minimum(self.lowest, u)
         self.u = np.array(u)
 
     @property

@@ -5,7 +5,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from ..arrays import Array, Index
+from ..arrays import Array, Flags, Index
 from .energy import energy
 from .memory import Backbone, Memory
 
@@ -47,7 +47,7 @@ class Masing(Memory):
     def __init__(self, backbone: Backbone, size: int) -> None:
         self.backbone = backbone
         # Row by row: the reversals, each between the two before it, from -u1 and u1 = +-max |u|
-        # on, and above the last one where the point is. Rows from there on mean nothing.
+        # on. Rows after the last one mean nothing.
         self.turns: Array = np.zeros((_WIDTH, size))
         self.forces: Array = np.zeros((_WIDTH, size))
         self.last: Index = np.ones(size, dtype=np.intp)
@@ -67,36 +67,52 @@ class Masing(Memory):
 
         The backbone is a branch from 0 of scale 1 without an end, in row 0.
         """
-        u, on, back = self.u, self._on, self._back
-        here = self.last * len(u) + self._point
+        on, back = self._on, self._back
+        here = self.last * len(self.u) + self._point
         self.turns.take(here, out=on[0])
         self.forces.take(here, out=on[1])
-        self.turns.take(here - len(u), out=on[3])
+        self.turns.take(here - len(self.u), out=on[3])
         on[4] = self.last
-        back[0], back[1], back[3] = u, self.force, on[0]
         np.add(on[4], 1.0, out=back[4])
-        up = on[3] > on[0]
-        virgin = u == on[0]
+        back[3] = on[0]
         back[2] = on[2] = 2.0
-        if virgin.any():
-            end = np.where(u < 0.0, -np.inf, np.inf)
-            for branch, at in ((back, virgin), (on, virgin & (u == 0.0))):
+        self._onward = on[3] > on[0]
+        virgin = self.u == on[0]
+        self._virgin: Flags | None = virgin if virgin.any() else None
+        self._branched: Flags | bool = ~virgin if virgin.any() else True
+        self._rests = False
+        if self._virgin is not None:
+            end = np.where(self.u < 0.0, -np.inf, np.inf)
+            rest = virgin & (self.u == 0.0)
+            self._rests = bool(rest.any())
+            for branch, at in ((back, virgin), (on, rest)):
                 for part, value in ((0, 0.0), (1, 0.0), (2, 1.0), (4, 0.0)):
                     np.copyto(branch[part], value, where=at)
                 np.copyto(branch[3], end, where=at)
                 end = -end
-        self._onward = up
+        self._turn_here()
+
+    def _turn_here(self) -> None:
+        """Branches that begin where the points are now."""
+        u, on, back = self.u, self._on, self._back
+        np.copyto(back[0], u, where=self._branched)
+        np.copyto(back[1], self.force, where=self._branched)
+        if self._virgin is not None and not self._rests:
+            for of, value in ((on[0], u), (on[1], self.force), (on[3], -u)):
+                np.copyto(of, value, where=self._virgin)
+        up = self._onward
         self._down, self._up = np.where(up, back, on), np.where(up, on, back)
         # where a displacement of no change goes on as the point went
         self._split = np.where(self.rising, u, np.nextafter(u, np.inf))
 
-    def _branch(self, u: Array) -> tuple[Array, Index]:
-        """The branch on which u lies, as `_ready` gives it, and the points that left theirs."""
-        branch = np.where(u >= self._split, self._up, self._down)
+    def _branch(self, u: Array) -> tuple[Array, Flags, Index]:
+        """The branch on which u lies, whether it is upward, and the points that left theirs."""
+        up = u >= self._split
+        branch = np.where(up, self._up, self._down)
         inside = u > self._down[3]
         inside &= u < self._up[3]
         if inside.all():
-            return branch, _NONE
+            return branch, up, _NONE
         out = np.flatnonzero(~inside)
         n, at, end = len(u), u.take(out), branch[3].take(out)
         rises = end > branch[0].take(out)
@@ -114,7 +130,7 @@ class Masing(Memory):
         outer[:, virgin] = _BACKBONE
         outer[3, virgin] = np.where(rises[virgin], np.inf, -np.inf)
         branch[:, out] = outer
-        return branch, out
+        return branch, up, out
 
     def _force(self, u: Array, branch: Array) -> tuple[Array, Array]:
         origin, base, scale, _, _ = branch
@@ -128,27 +144,46 @@ class Masing(Memory):
 
     def commit(self, u: Array, share: Array | float = 1.0) -> None:
         """As `Memory.commit`; share: of the loss of loops that close now, what counts."""
-        branch, left = self._branch(u)
+        branch, up, left = self._branch(u)
         force, _ = self._force(u, branch)
+        if left.size or self._rests or (up != self.rising).any():
+            self._restack(u, force, branch, left, share)
+            self.rising = np.where(u == self.u, self.rising, u > self.u)
+            self.u, self.force = np.array(u), force
+            self._ready()
+            return
+        self.u, self.force = np.array(u), force
+        if self._virgin is not None:
+            self._grow(u, force, self._virgin)
+        self._turn_here()
+
+    def _grow(self, u: Array, force: Array, virgin: Flags) -> None:
+        """The largest |u| at points on the backbone."""
+        for stack, value in ((self.turns, u), (self.forces, force)):
+            np.copyto(stack[0], -value, where=virgin)
+            np.copyto(stack[1], value, where=virgin)
+
+    def _restack(
+        self, u: Array, force: Array, branch: Array, left: Index, share: Array | float
+    ) -> None:
+        """The reversals after points have turned, closed loops or come to the backbone."""
         row = branch[4].astype(np.intp)
         if left.size:
             self._close(u, left, row.take(left), share)
+        turned = np.flatnonzero(row > self.last)
+        if turned.size:
+            if row.max() + 1 > len(self.turns):
+                more = np.zeros(self.turns.shape)
+                self.turns = np.concatenate((self.turns, more))
+                self.forces = np.concatenate((self.forces, more))
+            place = row.take(turned) * len(u) + turned
+            self.turns.put(place, self.u.take(turned))
+            self.forces.put(place, self.force.take(turned))
         virgin = row == 0
         if virgin.any():
             row[virgin] = 1
-            for stack, value in ((self.turns, u), (self.forces, force)):
-                np.copyto(stack[0], -value, where=virgin)
-                np.copyto(stack[1], value, where=virgin)
-        if row.max(initial=0) + 2 > len(self.turns):
-            more = np.zeros(self.turns.shape)
-            self.turns = np.concatenate((self.turns, more))
-            self.forces = np.concatenate((self.forces, more))
-        above = (row + 1) * len(u) + self._point
-        self.turns.put(above, u)
-        self.forces.put(above, force)
-        self.rising = np.where(u == self.u, self.rising, u > self.u)
-        self.u, self.force, self.last = np.array(u), force, row
-        self._ready()
+            self._grow(u, force, virgin)
+        self.last = row
 
     def _close(self, u: Array, points: Index, last: Index, share: Array | float) -> None:
         """Note the loops that points close on their way to the branch of a row."""
@@ -158,7 +193,12 @@ class Masing(Memory):
         counted = np.broadcast_to(share, u.shape)
         while points.size:
             place = row * n + points
-            half = 0.5 * np.abs(self.turns.take(place) - self.turns.take(place - n))
+            start = np.where(
+                row > self.last.take(points),
+                self.u.take(points),
+                self.turns.take(place, mode="clip"),
+            )
+            half = 0.5 * np.abs(start - self.turns.take(place - n))
             slot = self._waiting.take(points) * n + points
             self._halves.put(slot, half)
             self._shares.put(slot, counted.take(points) * np.where(row > 1, 4.0, 2.0))
@@ -202,8 +242,11 @@ class Masing(Memory):
     def open_loops(self) -> Array:
         """Energy lost on the branches that are not forgotten, the backbone left out."""
         deepest = int(self.last.max(initial=0))
-        half = 0.5 * np.abs(np.diff(self.turns[1 : deepest + 2], axis=0))
-        half *= np.arange(1, deepest + 1)[:, None] <= self.last
+        row = np.arange(1, deepest + 1)[:, None]
+        ends = np.concatenate((self.turns[2 : deepest + 1], self.u[None]))
+        ends = np.where(row == self.last, self.u, ends)
+        half = 0.5 * np.abs(ends - self.turns[1 : deepest + 1])
+        half *= row <= self.last
         return np.asarray(2.0 * self._loss(half).sum(axis=0))
 
     @property

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from ..arrays import Array
 from ..errors import InvalidData
 from ..motion import Hysteresis
-from .axial import Shaft
-from .backbone import SignedUserCurve
+from . import lateral
+from .backbone import SignedUserCurve, UserCurve
 from .degrading import Degrading
 from .energy import gives_back, half_way, held, softens
 from .gap import DRAG, Gap
@@ -17,6 +17,11 @@ from .reaction import Reaction
 from .tip_memory import Settling
 
 _FIELD = "HYSTERESIS"
+#: laws beside which a gap can open; rows may be anything
+_OPEN: tuple[type[Law], ...] = (
+    UserCurve,
+    *(laws.resistance for laws in lateral.LAWS.values()),
+)
 
 
 def memory_of(reaction: Reaction, hysteresis: Hysteresis, drag: Array | float = DRAG) -> Memory:
@@ -24,8 +29,9 @@ def memory_of(reaction: Reaction, hysteresis: Hysteresis, drag: Array | float = 
 
         ELASTIC     none: up and down along the curve
         MASING      `Masing`, `Degrading` where a law falls after a peak
-        GAP         the same behind a `Gap` of its own capacity and y50, but for shafts, along which
-                    none opens; drag: its ratio Cd
+        GAP         the same behind a `Gap` of its own capacity and y50, drag Cd, where p-y resists;
+                    shafts, moments and bases have none. Rows of the user may be either: ask for
+                    MASING where they are t-z
 
     What resists compression alone is `Settling` in both. A reaction whose memory is not known
     raises InvalidData with the reason in words.
@@ -41,7 +47,7 @@ def memory_of(reaction: Reaction, hysteresis: Hysteresis, drag: Array | float = 
     _check_secant(envelope, hysteresis)
     falls = softens(reaction)
     memory = Degrading(reaction) if falls else Masing(reaction, reaction.size)
-    if hysteresis == "MASING" or any(isinstance(law, Shaft) for law in laws):
+    if hysteresis == "MASING" or not all(isinstance(law, _OPEN) for law in laws):
         return memory
     peak = envelope.capacity
     return Gap(memory, peak, half_way(envelope, peak), drag)

@@ -7,7 +7,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from ..arrays import Array
-from .approach import reached, recoverable, root
+from .approach import ROUNDING, reached, recoverable, root
 from .memory import Memory
 from .near_field import Rigid, chosen, displaced, rigid_between
 
@@ -105,7 +105,8 @@ class Series(Memory):
 
         limit = self.peak * (1.0 - _SHY)
         low, high = np.minimum(sense * self.force, limit), limit
-        x = root(excess, low, high, low)
+        noise = ROUNDING * (self.far * np.abs(u) + np.abs(self.force))
+        x = root(excess, low, high, low, noise)
         near, gap, drag, _, kg, ki, rate = parts(x)
         rise = 1.0 + kg * (1.0 / self.far + rate) + ki / self.far
         return Place(sense, sense * x, (kg + ki) / rise, rigid, near, gap, drag)

@@ -7,7 +7,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from ..arrays import Array
-from .approach import reached, recoverable, root, work
+from .approach import ROUNDING, reached, recoverable, root, work
 from .memory import Memory
 
 
@@ -65,7 +65,8 @@ class TzSimple(Memory):
             return t / self.elastic + x - asked, k / self.elastic + 1.0
 
         most = np.abs(u - self.u)
-        x = root(excess, np.zeros(len(u)), most, np.zeros(len(u)))
+        noise = ROUNDING * (np.abs(u) + np.abs(self.slip))
+        x = root(excess, np.zeros(len(u)), most, np.zeros(len(u)), noise)
         return sense, before, before + x, base, x
 
     def evaluate(self, u: Array) -> tuple[Array, Array]:

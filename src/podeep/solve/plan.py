@@ -18,7 +18,9 @@ from .starts import Beginning, beginning
 from .statics import State
 
 _SHARE = 0.05  # of the accuracy: what the iteration of a step may leave
-_MESH_SHARE = 0.5  # of the accuracy, for the mesh; the rest is for the steps in time
+# Of the accuracy, for the mesh under the largest loads in statics; the rest is for steps in time.
+# What remembers keeps the corners of its curves at every depth that they have passed.
+_MESH_SHARE, _MESH_SHARE_REMEMBERED = 0.5, 0.1
 _PARTS = 40  # of the shortest period: the first step that is tried
 _PERIODS = 4.0  # that a trial takes
 _SERIES_STEPS = 400  # that a trial takes where nothing is periodic
@@ -47,7 +49,9 @@ def begun(scene: Scene, foundation: Foundation) -> Begun:
 
     Raises AnalysisFailed where statics has no equilibrium.
     """
-    accuracy = _MESH_SHARE * scene.numerics.accuracy
+    elastic = scene.numerics.hysteresis == "ELASTIC"
+    share = _MESH_SHARE if elastic else _MESH_SHARE_REMEMBERED
+    accuracy = share * scene.numerics.accuracy
     still = replace(scene, numerics=replace(scene.numerics, accuracy=accuracy, follow_path=False))
     largest_loads = solve(replace(still, steps=peaks(scene)), foundation)
     model = rebuilt(still, largest_loads.model, largest_loads.model.edges, 0)
