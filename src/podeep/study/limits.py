@@ -10,7 +10,6 @@ rule gains k/2 |x0 x1|, and loses as much where it closes: the force that it wor
 of those at both ends.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from math import exp, log, sqrt
 
@@ -96,23 +95,3 @@ def limits(methods: dict[str, Integrator]) -> tuple[Limit, ...]:
         Limit("gap", "NEWMARK", release(shared), False, f"(1 + (omega h)^2/4)^{CONTACTS}"),
         Limit("power law", "CENTRAL", 2.0, True, "2 m/(n a v^(n-1))"),
     )
-
-
-def first_exit(polynomial: Callable[[complex], complex], zeta: float) -> float:
-    """omega h at which |R(z)| first exceeds 1, z = h lambda of m x'' + 2 zeta omega m x' + k x = 0.
-
-    0 where it does from the start.
-    """
-    root = np.emath.sqrt(zeta * zeta - 1.0)
-    roots = (-zeta + root, -zeta - root)
-
-    def over(h: float) -> float:
-        return max(abs(polynomial(h * r)) for r in roots) - 1.0
-
-    grid = np.linspace(0.0, 4.0, 4001)[1:]
-    beyond = [h for h in grid if over(h) > 1e-13]
-    if not beyond:
-        return float(np.inf)
-    if beyond[0] == grid[0]:
-        return 0.0
-    return float(brentq(over, beyond[0] - 1e-3, beyond[0], xtol=1e-14))

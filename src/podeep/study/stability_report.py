@@ -17,7 +17,8 @@ _WORDS = (
     f"{KEPT:.0%} of the energy was kept; e: wrong, the end is more than {OFF:.0%} away from the "
     "exact one; X: failed, it grew without bound; N: failed, no equilibrium in a stage. Phases are "
     "not judged. up to: the omega h up to which all are stable; closed form: of that, >= where it "
-    "is but a bound from below. GAMMA=1: NEWMARK with GAMMA=1, BETA=0.5. Factors, causes and formulas: --csv."
+    "is but a bound from below. GAMMA=1: NEWMARK with GAMMA=1, BETA=0.5. Factors, "
+    "causes and formulas: --csv."
 )
 
 _COLUMNS = ("kind", "trial", "method", "omega h", "verdict", "gain", "kept", "error", "cause")
