@@ -35,7 +35,8 @@ def draw_stability(found: StabilityMap) -> "Figure":
     for trial, axes in zip(TRIALS, panels, strict=True):
         _panel(axes, found, trial, edges)
     panels[-1].set_xlabel("Step, omega h    (lines: closed forms)")
-    figure.suptitle("Methods of time integration against the step", x=0.01, ha="left", fontsize=11)
+    title = "Methods of time integration against the step (GAMMA=1: NEWMARK, gamma 1, beta 1/2)"
+    figure.suptitle(title, x=0.01, ha="left", fontsize=11)
     words = {
         Verdict.STABLE: "stable",
         Verdict.WRONG: f"wrong: ×energy grew over {GAINED - 1.0:.0%}, −more than {1.0 - KEPT:.0%} "
