@@ -64,7 +64,7 @@ def power(factor: float, exponent: float, floor: float) -> Law:
 
 @dataclass
 class Oscillators:
-    """n masses side by side: mass, kg, and damping, N s/m, have shape (n,).
+    """n masses side by side, see `Equations`: mass, kg, and damping, N s/m, have shape (n,).
 
     held, driven: which follow a given motion, and its values, velocities and accelerations.
     commits: told each state that is reached, for a spring that remembers.

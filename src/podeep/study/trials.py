@@ -81,20 +81,18 @@ class Trial:
 
 
 def _energies(
-    potential: Callable[[Array], Array], *, slack: bool = False, settling: int = 0
+    potential: Callable[[Array], Array], settling: int = 0
 ) -> Callable[[Array, Array], Outcome]:
-    """Measure by energy; slack: its largest is sought where no spring acts, alone.
+    """Measure by energy, of motion and spring.
 
     settling: so many states are left out at first, in which a method has motions of its own, and
     the next as many are the start.
     """
 
     def measure(q: Array, v: Array) -> Outcome:
-        stored = potential(q)
-        energy = 0.5 * v * v + stored
+        energy = 0.5 * v * v + potential(q)
         start = energy[settling : max(2 * settling, 1)].max(axis=0)
-        counted = np.where(stored == 0.0, energy, 0.0) if slack else energy
-        gain = counted[settling:].max(axis=0) / start
+        gain = energy[settling:].max(axis=0) / start
         last = energy[-max(len(q) // 5, 1) :].max(axis=0)
         return Outcome(float(max(gain.max(), 1.0)), float((last / start).min()))
 
@@ -120,14 +118,16 @@ def _shares(_: float) -> tuple[Array, Array]:
 
 def _at_wall(h: float) -> tuple[Array, Array]:
     """Masses on their way to the wall, and masses let go that are pressed against it."""
-    phase = h * _phases(_PHASES)
-    towards, pressed = (phase, -np.ones(_PHASES)), (-np.cos(phase), np.sin(phase))
+    share = _phases(_PHASES)
+    towards, angle = (h * share, -np.ones(_PHASES)), min(h, 0.5 * pi) * share
+    pressed = (-np.cos(angle), np.sin(angle))
     q, v = zip(towards, pressed, strict=True)
     return np.concatenate(q), np.concatenate(v)
 
 
 def _in_gap(h: float) -> tuple[Array, Array]:
-    return h * _phases(_PHASES) - 0.5 * h, np.ones(_PHASES)
+    """Masses on their way from within the gap."""
+    return min(h, 2.0 * _PLAY) * (_phases(_PHASES) - 0.5), np.ones(_PHASES)
 
 
 def _pulled(_: float) -> tuple[Array, Array]:
@@ -149,7 +149,7 @@ TRIALS = (
         SWINGS,
         LEAST,
         _around,
-        _energies(lambda u: 0.5 * u * u, settling=SETTLING),
+        _energies(lambda u: 0.5 * u * u, SETTLING),
     ),
     Trial(
         "soil",
@@ -169,7 +169,7 @@ TRIALS = (
         pi,
         6,
         _at_wall,
-        _energies(lambda u: 0.5 * np.minimum(u, 0.0) ** 2, slack=True),
+        _energies(lambda u: 0.5 * np.minimum(u, 0.0) ** 2),
     ),
     Trial(
         "gap",
@@ -179,7 +179,7 @@ TRIALS = (
         (CONTACTS - 1) * (2.0 * _PLAY + pi),
         10,
         _in_gap,
-        _energies(lambda u: 0.5 * np.maximum(np.abs(u) - _PLAY, 0.0) ** 2, slack=True),
+        _energies(lambda u: 0.5 * np.maximum(np.abs(u) - _PLAY, 0.0) ** 2),
     ),
     Trial(
         "power law",
