@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from oscillators import Oscillators, history, linear, one
 from podeep.arrays import Array
 from podeep.solve.equations import State
 from podeep.solve.integrators import (
@@ -17,6 +16,7 @@ from podeep.solve.integrators import (
     Weighted,
 )
 from podeep.solve.stage import Effort, Patience
+from podeep.study.oscillator import Oscillators, history, linear, one, power
 
 METHODS = {
     "NEWMARK": Weighted(),
@@ -121,13 +121,8 @@ def test_limit_of_central_differences(share: float, stable: bool) -> None:
 def test_suction_of_a_power_of_velocity_from_rest() -> None:
     """Backward Euler's answer 0.00409096788188 m/s (m 300 kg, P 800 N, h 0.05 s, n 0.18): here of
     the methods without a search Newton's step would multiply v by -4.6; all of ours get away."""
-    alpha, n, floor = 1.12 * 0.3 * 5000.0 / 0.3**0.18, 0.18, 1e-6
-
-    def drag(v: Array) -> tuple[Array, Array]:
-        square = v * v + floor * floor
-        share = alpha * square ** (0.5 * (n - 1.0))
-        return share * v, share * (1.0 + (n - 1.0) * v * v / square)
-
+    alpha, n = 1.12 * 0.3 * 5000.0 / 0.3**0.18, 0.18
+    drag = power(alpha, n, 1e-6)
     equations = one(
         lambda u: (0.0 * u, 0.0 * u), 300.0, drag=drag, push=lambda t: np.array([800.0])
     )

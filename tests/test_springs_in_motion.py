@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 
 from closed_forms import DATA
-from oscillators import Law, Oscillators, history
 from podeep.arrays import Array
 from podeep.scene import Dynamics
 from podeep.soil.masing import Masing
 from podeep.soil.polyline import Polyline
 from podeep.solve.dynamics import integrator
 from podeep.solve.integrators import Bathe, Integrator, Weighted
+from podeep.study.oscillator import Law, Oscillators, history
 
 METHODS = {"default": integrator(Dynamics(0.0, 1.0)), "NEWMARK": Weighted(), "BATHE": Bathe()}
 every_method = pytest.mark.parametrize("method", METHODS.values(), ids=METHODS)

@@ -1,14 +1,18 @@
-"""podeep-solve chart: the command that shows speed against accuracy for a deck."""
+"""podeep-solve chart: speed against accuracy for a deck, or the map of the time integrators."""
 
 import argparse
 import sys
 
-from ..errors import ExitCode
+from ..errors import ExitCode, Fault, UserError
 from ..files import make_folder
 
 
 def chart(options: argparse.Namespace) -> ExitCode:
-    """Show which settings solve a deck how fast and how exactly."""
+    """Show which settings solve a deck how fast and how exactly, or --stability."""
+    if options.stability:
+        return stability(options)
+    if options.deck is None:
+        raise UserError(Fault("there is no deck to chart", "give one, or --stability"))
     from ..deck.read import read_deck
     from ..demand import foundation_of
     from ..study.chart_report import chart_csv, chart_report
@@ -26,6 +30,27 @@ def chart(options: argparse.Namespace) -> ExitCode:
         from ..study.chart_figure import save_chart
 
         picture = save_chart(found, folder, options.deck.stem)
+        print(f"written: {picture}", file=sys.stderr if options.csv else sys.stdout)
+    return ExitCode.DONE
+
+
+def stability(options: argparse.Namespace) -> ExitCode:
+    """Show which method of time integration follows which motion with which step."""
+    from ..study.stability import stability_map
+    from ..study.stability_report import stability_csv, stability_report
+
+    if options.deck is not None or options.foundation is not None:
+        raise UserError(Fault("--stability is of no deck", "give it alone"))
+    folder = None if options.directory is None else make_folder(options.directory)
+    try:
+        found = stability_map(progress, quick=options.quick)
+    finally:
+        progress("")
+    sys.stdout.write(stability_csv(found) if options.csv else stability_report(found) + "\n")
+    if folder is not None:
+        from ..study.stability_figure import save_stability
+
+        picture = save_stability(found, folder)
         print(f"written: {picture}", file=sys.stderr if options.csv else sys.stdout)
     return ExitCode.DONE
 

@@ -72,7 +72,10 @@ def parser() -> argparse.ArgumentParser:
     capacity_.set_defaults(command=capacity)
 
     chart_ = commands.add_parser("chart", help="speed against accuracy for this very scene")
-    chart_.add_argument("deck", type=Path)
+    chart_.add_argument("deck", type=Path, nargs="?")
+    chart_.add_argument(
+        "--stability", action="store_true", help="methods of time integration against the step"
+    )
     chart_.add_argument("--foundation", help="F1, F2, ...; the first one by default")
     chart_.add_argument("--quick", action="store_true", help="fewer meshes and fewer runs")
     chart_.add_argument("--csv", action="store_true", help="every setting, full precision")

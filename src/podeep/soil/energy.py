@@ -62,16 +62,20 @@ def _gauss(backbone: Backbone, x: Array) -> Array:
 class Lines(Law):
     """Straight lines as they are given."""
 
-    source: ClassVar[str] = "its polyline"
+    source: ClassVar[str] = "its lines"
 
-    polyline: Polyline
+    lines: Polyline
+
+    @property
+    def polyline(self) -> Polyline:
+        return self.lines
 
     @property
     def capacity(self) -> Array:
-        return self.polyline.capacity
+        return self.lines.capacity
 
     def evaluate(self, u: Array) -> tuple[Array, Array]:
-        return self.polyline.evaluate(u)
+        return self.lines.evaluate(u)
 
 
 @dataclass(frozen=True, eq=False)

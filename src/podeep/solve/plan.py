@@ -1,10 +1,11 @@
 """From a scene to its motions: meshes, states at the end of statics, the step in time."""
 
 from dataclasses import dataclass, replace
-from math import ceil, sqrt
+from math import ceil, log2, sqrt
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import AnalysisFailed
 from ..model.assemble import Model
 from ..model.results import Results
@@ -18,9 +19,10 @@ from .starts import Beginning, beginning
 from .statics import State
 
 _SHARE = 0.05  # of the accuracy: what the iteration of a step may leave
-# Of the accuracy, for the mesh under the largest loads in statics; the rest is for steps in time.
-# What remembers keeps the corners of its curves at every depth that they have passed.
-_MESH_SHARE, _MESH_SHARE_REMEMBERED = 0.5, 0.1
+_MESH_SHARE = 0.5  # of the accuracy, for the mesh; the rest is for the steps in time
+# Soil that remembers keeps the corners of its curves at all depths that they pass, which no mesh of
+# statics meets: below this accuracy elements are halved until their square suits it.
+_CORNERS = 1e-3
 _PARTS = 40  # of the shortest period: the first step that is tried
 _PERIODS = 4.0  # that a trial takes
 _SERIES_STEPS = 400  # that a trial takes where nothing is periodic
@@ -49,12 +51,13 @@ def begun(scene: Scene, foundation: Foundation) -> Begun:
 
     Raises AnalysisFailed where statics has no equilibrium.
     """
-    elastic = scene.numerics.hysteresis == "ELASTIC"
-    share = _MESH_SHARE if elastic else _MESH_SHARE_REMEMBERED
-    accuracy = share * scene.numerics.accuracy
+    accuracy = _MESH_SHARE * scene.numerics.accuracy
     still = replace(scene, numerics=replace(scene.numerics, accuracy=accuracy, follow_path=False))
     largest_loads = solve(replace(still, steps=peaks(scene)), foundation)
-    model = rebuilt(still, largest_loads.model, largest_loads.model.edges, 0)
+    edges = largest_loads.model.edges
+    if scene.numerics.hysteresis != "ELASTIC" and scene.numerics.elements is None:
+        edges = halved(edges, ceil(0.5 * log2(max(_CORNERS / scene.numerics.accuracy, 1.0))))
+    model = rebuilt(still, largest_loads.model, edges, 0)
     states, failure, interrupted = run(model, factors_of(scene), limits(still))
     if interrupted:
         raise KeyboardInterrupt
@@ -66,6 +69,13 @@ def begun(scene: Scene, foundation: Foundation) -> Begun:
     moved = [largest(q) for s in (*largest_loads.states, *states) for q in (s.lateral, s.axial)]
     moved += [largest(start.lateral), largest(start.axial)]
     return Begun(model, states[-1], start, largest_loads.results, max(moved))
+
+
+def halved(edges: Array, times: int) -> Array:
+    """Boundaries of elements that are halved so many times."""
+    for _ in range(times):
+        edges = np.sort(np.concatenate([edges, 0.5 * (edges[1:] + edges[:-1])]))
+    return edges
 
 
 def peaks(scene: Scene) -> Steps:

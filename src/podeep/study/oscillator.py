@@ -1,27 +1,73 @@
-"""Oscillators of a few masses, each by itself, as equations of motion."""
+"""Masses on springs, each by itself, as equations of motion: the least that a method can fail at.
+
+m a + c v + spring(u) + drag(v) = push(t)
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from podeep.arrays import Array, Index
-from podeep.solve.equations import State
-from podeep.solve.integrators import Integrator, initial
-from podeep.solve.stage import Effort, Patience
+from ..arrays import Array, Index
+from ..solve.equations import State
+from ..solve.integrators import Integrator, initial
+from ..solve.stage import Effort, Patience
 
+#: A force and its derivative at displacements, or at velocities.
 Law = Callable[[Array], tuple[Array, Array]]
 
 
 def nothing(x: Array) -> tuple[Array, Array]:
+    """No force."""
     return np.zeros_like(x), np.zeros_like(x)
+
+
+def linear(stiffness: float) -> Law:
+    """k u, N; stiffness k: N/m."""
+    return lambda u: (stiffness * u, np.full_like(u, stiffness))
+
+
+def wall(stiffness: float) -> Law:
+    """A wall below u = 0: k u there and nothing above; stiffness k: N/m."""
+
+    def law(u: Array) -> tuple[Array, Array]:
+        modulus = np.where(u < 0.0, stiffness, 0.0)
+        return modulus * u, modulus
+
+    return law
+
+
+def gap(stiffness: float, width: float) -> Law:
+    """Free play up to |u| = width, m, then k (|u| - width) towards it; stiffness k: N/m."""
+
+    def law(u: Array) -> tuple[Array, Array]:
+        beyond = u - np.clip(u, -width, width)
+        return stiffness * beyond, np.where(beyond != 0.0, stiffness, 0.0)
+
+    return law
+
+
+def power(factor: float, exponent: float, floor: float) -> Law:
+    """factor x (x^2 + floor^2)^((exponent - 1)/2): a power of |x| with a finite slope at 0.
+
+    The cube root of soft clay is rounded off in this way (exponent 1/3, floor 1e-10 y50), and so is
+    suction with a power of the velocity (exponent 0.18).
+    """
+
+    def law(x: Array) -> tuple[Array, Array]:
+        square = x * x + floor * floor
+        share = factor * square ** (0.5 * (exponent - 1.0))
+        return share * x, share * (1.0 + (exponent - 1.0) * x * x / square)
+
+    return law
 
 
 @dataclass
 class Oscillators:
-    """m a + c v + spring(u) + drag(v) = push(t), n of them side by side.
+    """n masses side by side, see `Equations`: mass, kg, and damping, N s/m, have shape (n,).
 
-    spring, drag: force and derivative. memory: a spring that remembers, in place of `spring`.
+    held, driven: which follow a given motion, and its values, velocities and accelerations.
+    commits: told each state that is reached, for a spring that remembers.
     """
 
     mass: Array
@@ -89,10 +135,6 @@ class Oscillators:
             self.commits(q)
 
 
-def linear(stiffness: float) -> Law:
-    return lambda u: (stiffness * u, np.full_like(u, stiffness))
-
-
 def one(spring: Law, mass: float = 1.0, damping: float = 0.0, **more: object) -> Oscillators:
     """A single mass."""
     return Oscillators(np.array([mass]), np.array([damping]), spring, **more)  # type: ignore[arg-type]
@@ -107,7 +149,7 @@ def history(
     steps: int,
     increment: float = 1e-13,
 ) -> tuple[list[State], Effort]:
-    """All states from the start on, and what they took."""
+    """All states from the start on, and what they took. Raises NoBalance."""
     effort, patience = Effort(), Patience(increment, 100)
     states = [initial(equations, 0.0, q, velocity, effort)]
     for _ in range(steps):
