@@ -117,6 +117,16 @@ class Motion:
                 self.force, left = max(self.force, size), max(left, out)
         return left / self.force if self.force else 0.0
 
+    def sizes(self, other: "Motion | None" = None) -> tuple[float, float]:
+        """Largest unknowns of deflection and stretch, or of their distance from another's, m."""
+        q, axial = self.lateral.q, self.axial
+        if other is not None:
+            q = q - other.lateral.q
+        if axial is None:
+            return largest(q), 0.0
+        along = axial.q if other is None or other.axial is None else axial.q - other.axial.q
+        return largest(q), largest(along)
+
     def lost(self) -> bool:
         """Whether the foundation is lost: its tip has settled by a diameter, or it went further."""
         model = self.body.model
