@@ -1,6 +1,6 @@
 """Foundations in motion, followed step by step from the end of statics."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 
 import numpy as np
@@ -95,8 +95,10 @@ class Motion:
             axial = method.step(body.axial, axial, h, patience, self.effort)
             if body.squeeze is not None:
                 body.lateral.press(body.squeeze.band(axial.q))
-        lateral = method.step(body.lateral, self.lateral, h, patience, self.effort)
-        self._accept(body.lateral, self.lateral, lateral)
+        lateral = replace(self.lateral, time=self.lateral.time + h)
+        if body.sways:
+            lateral = method.step(body.lateral, self.lateral, h, patience, self.effort)
+            self._accept(body.lateral, self.lateral, lateral)
         if body.axial is not None and self.axial is not None and axial is not None:
             self._accept(body.axial, self.axial, axial)
         self.axial, self.lateral = axial, lateral

@@ -139,17 +139,17 @@ class Moving:
         return np.asarray(lapack.dpbtrs(one.factors, right, lower=1)[0])
 
     def fastest(self) -> float:
-        self.system.reached = self._weighed.system.reached
-        return self._frequency(len(self.mass[0]) - len(self.held) - 1)
+        """As `Equations.fastest`, about the origin; secants stand for infinite slopes."""
+        return self._frequency(self.system.size - len(self.held) - 1)
 
     def slowest(self) -> float:
-        """Smallest natural frequency about the origin, rad/s; secants stand for infinite slopes."""
-        self.system.internal(np.zeros(self.system.size))
-        self.system.blunted(_SECANT)
+        """Smallest natural frequency about the origin, rad/s, as `fastest`."""
         return self._frequency(0)
 
     def _frequency(self, place: int) -> float:
-        """One of the natural frequencies with the system's tangent, by size, rad/s."""
+        """One of the natural frequencies, by size, rad/s."""
+        self.system.internal(np.zeros(self.system.size))
+        self.system.blunted(_SECANT)
         tangent = self.system.tangent()
         if self._pressed is not None:
             tangent = tangent - without(self._pressed, self.held)
@@ -157,10 +157,6 @@ class Moving:
         stiffness, mass = (dense(band)[np.ix_(free, free)] for band in (tangent, self.mass))
         square = eigh(stiffness, mass, eigvals_only=True, subset_by_index=(place, place))[0]
         return float(np.sqrt(max(square, 0.0)))
-
-    def driven(self) -> bool:
-        """Whether a load acts on it at all."""
-        return bool(self.problem.forces.any() or self.problem.imposed.any())
 
     def commit(self, q: Array) -> None:
         if self.memory is not None:

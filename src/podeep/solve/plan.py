@@ -1,11 +1,11 @@
 """From a scene to its motions: meshes, states at the end of statics, the step in time."""
 
 from dataclasses import dataclass, replace
-from math import ceil, log2, pi, sqrt
+from math import ceil, inf, log2, pi, sqrt
 
 import numpy as np
 
-from ..errors import AnalysisFailed
+from ..errors import AnalysisFailed, Fault, UserError
 from ..model.assemble import Model
 from ..model.results import Results
 from ..scene import Dynamics, Foundation, Harmonic, Scene, Steps, TimeSeries
@@ -29,6 +29,7 @@ _SERIES_STEPS = 400  # that a trial takes where nothing is periodic
 _AIM = 0.5  # of the accuracy: the error that a step is chosen for
 _LONGEST, _SHORTEST = 4.0, 1.0 / 64.0  # of the first step
 _TRIALS = 3
+_STEADY = 0.9  # of the limit of an explicit method
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,22 +106,35 @@ def simulation(
         integrator(dynamics),
         until / count,
         count,
-        _SHARE * scene.numerics.accuracy,
+        min(_SHARE * scene.numerics.accuracy, dynamics.tolerance),
         dynamics.iterations,
     )
 
 
 def step_for(scene: Scene, dynamics: Dynamics, begun: list[Begun]) -> float:
-    """The step, s: as it was given, or one whose error is within the accuracy in a trial."""
+    """The step, s: as it was given, or one whose error is within the accuracy in a trial.
+
+    Raises UserError for a step beyond the limit of an explicit method.
+    """
+    bodies = [body(scene, one.model, one.rest) for one in begun]
+    moving = [m for b in bodies for m in (b.lateral if b.sways else None, b.axial) if m is not None]
+    own = [2.0 * pi / m.slowest() for m in moving]
+    limit = min((integrator(dynamics).limit(m) for m in moving), default=inf)
     if dynamics.step is not None:
+        if dynamics.step > limit:
+            raise UserError(
+                Fault(
+                    f"METHOD={dynamics.method} is stable with steps up to {limit:.3g} s here, but "
+                    f"DT is {dynamics.step:g} s",
+                    "give a smaller DT, or an implicit method",
+                )
+            )
         return dynamics.step
     whole = dynamics.end - dynamics.start
     periods = [h.period for h in scene.harmonics]
     first = min(periods) / _PARTS if periods else whole / _SERIES_STEPS
-    bodies = [body(scene, one.model, one.rest) for one in begun]
-    moving = [m for b in bodies for m in (b.lateral, b.axial) if m is not None]
-    own = [2.0 * pi / m.slowest() for m in moving if m.driven()]
-    first = step = min([first, *(period / _OWN_PARTS for period in own)])
+    first = min([first, *(period / _OWN_PARTS for period in own)])
+    first = step = min(first, _STEADY * limit)
     for _ in range(_TRIALS):
         span = _PERIODS * max(periods) if periods else _SERIES_STEPS * step
         trial = simulation(scene, dynamics, begun, step, min(span, whole))
@@ -130,5 +144,5 @@ def step_for(scene: Scene, dynamics: Dynamics, begun: list[Begun]) -> float:
         share = sqrt(_AIM * scene.numerics.accuracy / max(trial.error, 1e-12)) if fine else 0.25
         if 1.0 <= share <= 2.0:
             break
-        step = float(np.clip(share * step, _SHORTEST * first, _LONGEST * first))
+        step = float(np.clip(share * step, _SHORTEST * first, min(_LONGEST * first, limit)))
     return step
