@@ -39,7 +39,7 @@ solve.eigen solve.families solve.about_state solve.modes
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.write database.trust database.foundation database.read
 demand embedded capacity
-risks.__init__ risks.ranges risks.risk risks.curves risks.site risks.piles risks.bearing
+risks.__init__ risks.ranges risks.risk risks.curves risks.site risks.piles risks.bearing risks.motion
 checks record describe_motion describe report stiffness capacity_report query table picture figure
 soil_figure modes_report modes_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
