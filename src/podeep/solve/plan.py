@@ -147,8 +147,8 @@ def check_step(dynamics: Dynamics, step: float, limit: float) -> None:
     if step > limit:
         raise UserError(
             Fault(
-                f"METHOD={dynamics.method} is stable with steps up to {limit:.3g} s here, but DT is "
-                f"{step:g} s",
+                f"METHOD={dynamics.method} is stable with steps up to {limit:.3g} s here, but "
+                f"DT is {step:g} s",
                 "give a smaller DT, or an implicit method",
             )
         )
