@@ -15,11 +15,16 @@ import os
 import signal
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import FrameType
+from typing import Any, NamedTuple, Self
+
+import h5py
 
 from .target import REFUSED, UNFINISHED, lock
+
+_FORMAT = ("v108", "v108")  # old enough for every netCDF, new enough to have checksums
 
 
 class Stream(io.RawIOBase):
@@ -132,3 +137,31 @@ def uninterrupted() -> Iterator[None]:
             signal.signal(number, handler)
     for which, frame in caught[:1]:
         handlers[signal.Signals(which)](which, frame)
+
+
+class Sink(NamedTuple):
+    """An HDF5 file that is being written, and the stream beneath it."""
+
+    file: Any  # h5py has no types
+    stream: Stream
+
+    @classmethod
+    def create(cls, path: Path) -> Self:
+        stream = Stream(path)
+        made: Stream | Self = stream
+        try:
+            with stream.checked():
+                stream.claim()
+                made = sink = cls(h5py.File(stream, "w", libver=_FORMAT, track_order=True), stream)
+        except BaseException:
+            made.close()  # HDF5 left open would end the process in a segmentation fault
+            path.unlink()
+            raise
+        return sink
+
+    @uninterrupted()
+    def close(self) -> None:
+        """Close without complaint: what there was to tell has been told."""
+        with suppress(*REFUSED), self.stream.checked():
+            self.file.close()
+        self.stream.close()

@@ -1,6 +1,6 @@
 """One problem of a foundation as equations of motion: its system, mass, damping and loads."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -27,6 +27,12 @@ class Memory(Protocol):
 
     def commit(self, u: Array) -> None:
         """The points have come to motions u."""
+
+    def state(self) -> dict[str, Array]:
+        """All that the way has left behind, arrays by names that stay the same."""
+
+    def restore(self, state: Mapping[str, Array]) -> None:
+        """Go back to a `state`, to the same bits."""
 
 
 @dataclass(slots=True)
