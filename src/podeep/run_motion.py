@@ -20,7 +20,7 @@ from .scene import Dynamics, Scene
 from .solve.dynamics import End
 from .solve.plan import begun, simulation, step_for
 from .solve.resume import resume, state_of
-from .solve.simulate import Block, Simulation
+from .solve.simulate import BLOCK, Block, Simulation
 
 _RECORDS = 1000  # that a run has by default, at most
 _FINER = 0.5  # of a step whose error turned out too large
@@ -174,6 +174,7 @@ def run_motion(
             force=force,
             dtype=np.float64 if options.double else np.float32,
             compress=options.compress,
+            room=one.count // log.every + 2,
             state=state or log.state,
             resumes=state is not None,
         )
@@ -265,7 +266,7 @@ class Log:
         begin, behind = monotonic(), one.done
         if not self.records:
             self._write(writer, one.beginning(), np.zeros(1, dtype=np.intp))
-        blocks = one.blocks()
+        blocks = one.blocks(BLOCK)
         while accuracy is None or one.error <= accuracy:
             block = next(blocks, None)
             if block is None:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 from typing import Any
 
 import h5py
@@ -14,6 +15,7 @@ from .envelope import Values
 from .schema import AXES, COMMITTED, Kind, Variable, places, variables
 
 _CHUNK = (1024, 20)  # rows and depths: serves an evolution in time and a snapshot alike
+_COPIED = 4096  # rows at a time
 _GZIP = 4
 _RESULT = {"static": np.float64, "dynamic": np.float32}
 
@@ -149,6 +151,28 @@ class Layout:
             else:
                 for dimension, scale in zip(data.dims, variable.dims, strict=True):
                     dimension.attach_scale(scales[scale])
+
+
+def copy_rows(source: Any, target: Any, count: int) -> None:
+    """Copy the first rows of a dataset to one of the same chunks, perhaps compressed.
+
+    Whole chunks go as they are, which is many times faster; what is in those that are not filled
+    is not known.
+    """
+    whole = [0, 0]
+    if target.chunks and source.chunks == target.chunks and target.compression is None:
+        whole = [n - n % c for n, c in zip((count, source.shape[1]), target.chunks, strict=True)]
+        steps = (range(0, n, c) for n, c in zip(whole, target.chunks, strict=True))
+        for corner in product(*steps):
+            target.id.write_direct_chunk(corner, source.id.read_direct_chunk(corner)[1])
+    for first in range(0, count, _COPIED):
+        last = min(first + _COPIED, count)
+        beside = slice(first, min(last, whole[0]))
+        if whole[1] and beside.start < beside.stop and whole[1] < source.shape[1]:
+            target[beside, whole[1] :] = source[beside, whole[1] :]
+        below = slice(max(first, whole[0]) if whole[1] else first, last)
+        if below.start < below.stop:
+            target[below] = source[below]
 
 
 def _create(

@@ -26,7 +26,7 @@ from ..arrays import Array
 from ..errors import Fault, UserError
 from . import restart
 from .envelope import Values, widen
-from .layout import Grid, Layout
+from .layout import Grid, Layout, copy_rows
 from .schema import (
     COMMITTED,
     CONVENTIONS,
@@ -45,10 +45,9 @@ from .target import check_leftover, check_target, clear, told
 
 __all__ = ["Grid", "Writer", "check_target"]
 
-_COPIED = 4096  # rows at a time
 _ROWS, _BOUNDS = "rows", "bounds/"  # names in a state that are the writer's own
 _STATE_GROWTH = 2  # of the room of a state, some parts of which may grow
-_GROWTH = 4  # of the room, each time that it is used up; what is not used takes no space on disk
+_GROWTH = 4  # of the room, each time that it is used up
 
 
 class Writer:
@@ -56,11 +55,11 @@ class Writer:
 
     loads: names of the loads of `load_factor`, none in a dynamic database. dtype: of results;
     float64 in a static, float32 in a dynamic database unless given. compress: gzip what is large.
-    block: rows that are kept in memory before they are written together, and the least room that
-    is allocated ahead. state: of the run before its first row, if it can be taken up again; with
-    `resumes` it is the one that the partial holds, and the rows of that time are kept. Entering
-    raises UserError for a target that may not be written, and every method does where the disk
-    fails.
+    block: rows that are kept in memory before they are written together. room: rows that are
+    expected, for which room is allocated ahead; what is not used takes no space on disk. state: of
+    the run before its first row, if it can be taken up again; with `resumes` it is the one that the
+    partial holds, and the rows of that time are kept. Entering raises UserError for a target that
+    may not be written, and every method does where the disk fails.
     """
 
     def __init__(
@@ -77,12 +76,14 @@ class Writer:
         dtype: npt.DTypeLike | None = None,
         compress: bool = False,
         block: int = 1024,
+        room: int = 0,
         state: restart.State | None = None,
         resumes: bool = False,
     ) -> None:
         self.path = target.with_name(target.name + PARTIAL)
         self._fresh = target.with_name(target.name + PARTIAL + ".new")
         self._target, self._force, self._block = target, force, block
+        self._expected = max(room, block)
         self._deck = deck_text
         self._head = {
             "Conventions": CONVENTIONS,
@@ -105,6 +106,7 @@ class Writer:
         self._last = -np.inf
         self._state, self._resumes = state, resumes
         self._state_room = 0
+        self._data: dict[str, Any] = {}
 
     def __enter__(self) -> Self:
         check_target(self._target, force=self._force)
@@ -118,7 +120,7 @@ class Writer:
             if self._resumes:
                 self._take_up()
             else:
-                self._move(self._block, "running")
+                self._move(self._expected, "running")
         except BaseException:
             if self._is_open:
                 self._sink.close()
@@ -157,7 +159,7 @@ class Writer:
             }
             if rows:
                 self._last = float(source[next(iter(self._axes.values()))][rows - 1])
-            self._move(max(self._block, _GROWTH * rows), "running", source=source)
+            self._move(max(self._expected, rows), "running", source=source)
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, _: TracebackType | None
@@ -238,9 +240,7 @@ class Writer:
         with told(self.path):
             with stream.checked():
                 for path, values in rows.items():
-                    file[path][first:end] = values
-                for path, values in self._envelope.items():
-                    file[path][...] = values
+                    self._data[path][first:end] = values
                 if state is not None:
                     restart.put(file, state)
                 file.flush()
@@ -256,7 +256,10 @@ class Writer:
         """The rows that wait, together; the envelopes are widened by them."""
         if not self._waiting:
             return {}
-        rows = {path: np.concatenate([p[path] for p in self._pending]) for path in self._pending[0]}
+        first, *more = self._pending
+        rows = (
+            {p: np.concatenate([first[p], *(m[p] for m in more)]) for p in first} if more else first
+        )
         for name, axis in self._axes.items():
             for quantity in QUANTITIES:
                 path = f"{name}/envelope/{quantity}"
@@ -306,6 +309,7 @@ class Writer:
         if self._is_open:
             self._sink.close()
         self._sink, self._room, self._is_open = fresh, room, running
+        self._data = {path: fresh.file[path] for path in self._layout.rows} if running else {}
         if not running:
             fresh.close()
 
@@ -322,6 +326,4 @@ class Writer:
     def _copy(self, source: Any, file: Any) -> None:
         """Copy what is committed to another file."""
         for path in self._layout.rows:
-            for first in range(0, self._committed, _COPIED):
-                rows = slice(first, min(first + _COPIED, self._committed))
-                file[path][rows] = source[path][rows]
+            copy_rows(source[path], file[path], self._committed)
