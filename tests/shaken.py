@@ -77,13 +77,14 @@ def differences(one: Path, other: Path) -> list[str]:
         b.visit(names[1].append)
         if names[0] != names[1]:
             return ["the names"]
-        found = []
+        found: list[str] = []
         for name in names[0]:
             first, second = a[name], b[name]
-            attributes = (first.attrs.keys() | second.attrs.keys()) - REFERENCES
-            for key in attributes:
-                if not np.array_equal(first.attrs.get(key), second.attrs.get(key)):
-                    found.append(f"{name}@{key}")
+            found += [
+                f"{name}@{key}"
+                for key in (first.attrs.keys() | second.attrs.keys()) - REFERENCES
+                if not np.array_equal(first.attrs.get(key), second.attrs.get(key))
+            ]
             if isinstance(first, h5py.Dataset):
                 same = first.dtype == second.dtype and first.shape == second.shape
                 if not same or not np.array_equal(first[()], second[()]):

@@ -153,26 +153,40 @@ class Layout:
                     dimension.attach_scale(scales[scale])
 
 
+def write_rows(data: Any, first: int, values: Values) -> None:
+    """Write rows to a dataset; those that fill a row of chunks go past HDF5's sorting."""
+    chunks, end = data.chunks, first + len(values)
+    whole = 0
+    if chunks and first % chunks[0] == 0 and len(values) == chunks[0] and data.compression is None:
+        whole = data.shape[1] - data.shape[1] % chunks[1]
+        for column in range(0, whole, chunks[1]):
+            part = np.ascontiguousarray(values[:, column : column + chunks[1]], dtype=data.dtype)
+            data.id.write_direct_chunk((first, column), part)
+    if not whole:
+        data[first:end] = values
+    elif whole < data.shape[1]:
+        data[first:end, whole:] = values[:, whole:]
+
+
 def copy_rows(source: Any, target: Any, count: int) -> None:
     """Copy the first rows of a dataset to one of the same chunks, perhaps compressed.
 
-    Whole chunks go as they are, which is many times faster; what is in those that are not filled
+    Chunks that are filled go as they are, which is many times faster; what else is in the others
     is not known.
     """
-    whole = [0, 0]
-    if target.chunks and source.chunks == target.chunks and target.compression is None:
-        whole = [n - n % c for n, c in zip((count, source.shape[1]), target.chunks, strict=True)]
-        steps = (range(0, n, c) for n, c in zip(whole, target.chunks, strict=True))
-        for corner in product(*steps):
+    chunks, first = target.chunks, 0
+    if chunks and source.chunks == chunks and target.compression is None:
+        rows, columns = count - count % chunks[0], source.shape[1] - source.shape[1] % chunks[1]
+        for corner in product(range(0, rows, chunks[0]), range(0, columns, chunks[1])):
             target.id.write_direct_chunk(corner, source.id.read_direct_chunk(corner)[1])
-    for first in range(0, count, _COPIED):
-        last = min(first + _COPIED, count)
-        beside = slice(first, min(last, whole[0]))
-        if whole[1] and beside.start < beside.stop and whole[1] < source.shape[1]:
-            target[beside, whole[1] :] = source[beside, whole[1] :]
-        below = slice(max(first, whole[0]) if whole[1] else first, last)
-        if below.start < below.stop:
-            target[below] = source[below]
+        if columns < source.shape[1]:
+            for at in range(0, rows, chunks[0]):
+                beside = slice(at, at + chunks[0])
+                target[beside, columns:] = source[beside, columns:]
+        first = rows
+    for at in range(first, count, _COPIED):
+        rest = slice(at, min(at + _COPIED, count))
+        target[rest] = source[rest]
 
 
 def _create(

@@ -68,7 +68,9 @@ class Stream(io.RawIOBase):
 
     def readinto(self, buffer: memoryview) -> int:  # type: ignore[override]  # as h5py gives it
         found = b"" if self.closed else os.pread(self._descriptor, len(buffer), self._at)
-        buffer[:] = found.ljust(len(buffer), b"\0")  # room that nothing was written to
+        if len(found) < len(buffer):
+            found = found.ljust(len(buffer), b"\0")  # room that nothing was written to
+        buffer[:] = found
         if self._head is not None and self._at < len(self._head):
             held = self._head[self._at : self._at + len(buffer)]
             buffer[: len(held)] = held

@@ -26,7 +26,7 @@ from ..arrays import Array
 from ..errors import Fault, UserError
 from . import restart
 from .envelope import Values, widen
-from .layout import Grid, Layout, copy_rows
+from .layout import Grid, Layout, copy_rows, write_rows
 from .schema import (
     COMMITTED,
     CONVENTIONS,
@@ -240,7 +240,7 @@ class Writer:
         with told(self.path):
             with stream.checked():
                 for path, values in rows.items():
-                    self._data[path][first:end] = values
+                    write_rows(self._data[path], first, values)
                 if state is not None:
                     restart.put(file, state)
                 file.flush()
