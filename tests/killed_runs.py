@@ -18,7 +18,7 @@ from podeep import run_motion
 from podeep.database.read import open_database
 from podeep.run import run_deck
 
-END = 1.5  # s
+END = 1.0  # s
 BLOCK = 16  # steps, so that there are many commits
 TRIED = 10  # of so many kills, one run goes on to the end
 
@@ -48,7 +48,7 @@ def killed(deck: Path, folder: Path, chance: random.Random, longest: float) -> i
     child = in_child(deck, folder, resume=resume, tell=tell)
     os.close(writing)
     while not partial.exists():
-        time.sleep(0.001)
+        time.sleep(0.002)
     time.sleep(chance.uniform(0.0, longest))
     os.kill(child, signal.SIGKILL)
     os.waitpid(child, 0)

@@ -28,14 +28,14 @@ class Options:
     @property
     def state(self) -> dict[str, Array]:
         """The options as a part of a run's state."""
-        asked = np.nan if self.accuracy is None else self.accuracy
+        asked = self.accuracy or 0.0
         return {"options": np.array([asked, self.double, self.compress], dtype=np.float64)}
 
     @classmethod
     def of(cls, state: Mapping[str, Array]) -> "Options":
         """The options of a run that came to a state."""
         asked, double, compress = map(float, state["options"])
-        return cls(None if np.isnan(asked) else asked, double != 0.0, compress != 0.0)
+        return cls(asked or None, double != 0.0, compress != 0.0)
 
 
 def state_in(target: Path, deck_text: str) -> dict[str, Array] | None:

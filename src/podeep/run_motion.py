@@ -294,6 +294,10 @@ class Log:
         extremes: dict[str, Array] = {}
         count = len(rows)
         for place, (book, tracks) in enumerate(zip(self.ledgers, block.tracks, strict=True)):
+            every = book.extremes(tracks)
+            extremes |= {f"{book.name}/{name}": value for name, value in every.items()}
+            if not count:
+                continue
             of_one = book.all(tracks, rows)
             errors = self._estimates(place, block, rows)
             of_one |= dict(zip(_ESTIMATES, errors, strict=True))
@@ -302,8 +306,6 @@ class Log:
             of_one["convergence/step_size"] = block.step_size[rows]
             of_one["convergence/energy"] = block.work[rows]
             values |= {f"{book.name}/{name}": value for name, value in of_one.items()}
-            every = book.extremes(tracks)
-            extremes |= {f"{book.name}/{name}": value for name, value in every.items()}
         self.iterations += int(block.iterations.sum())
         self.records += count
         with uninterrupted():  # rows and state belong together

@@ -80,6 +80,8 @@ def load(path: Path, file: Any) -> dict[str, Array] | None:
         if (sizes < 0).any() or sizes.sum() > data["state"].shape[1]:
             raise wrong(path, f"{GROUP}/sizes is more than there is")
         values = np.asarray(data["state"][commits % 2, : int(sizes.sum())], dtype=np.float64)
+    if not np.isfinite(values).all():
+        raise wrong(path, f"{GROUP}/state holds values that are not finite")
     return dict(zip(names, np.split(values, np.cumsum(sizes)[:-1]), strict=True))
 
 
