@@ -25,6 +25,7 @@ import h5py
 from .target import REFUSED, UNFINISHED, lock
 
 _FORMAT = ("v108", "v108")  # old enough for every netCDF, new enough to have checksums
+_CACHE = 2**18  # bytes of chunks for each variable, each written once: they would fill any cache
 
 
 class Stream(io.RawIOBase):
@@ -154,7 +155,8 @@ class Sink(NamedTuple):
         try:
             with stream.checked():
                 stream.claim()
-                made = sink = cls(h5py.File(stream, "w", libver=_FORMAT, track_order=True), stream)
+                options = {"libver": _FORMAT, "track_order": True, "rdcc_nbytes": _CACHE}
+                made = sink = cls(h5py.File(stream, "w", **options), stream)
         except BaseException:
             made.close()  # HDF5 left open would end the process in a segmentation fault
             path.unlink()
