@@ -46,6 +46,8 @@ session.__init__ session.question session.console session.points session.flow se
 session.cases session.result
 motion_record run_motion run
 study.__init__ study.settings study.chart study.measure study.chart_report study.chart_figure
+study.motion_settings study.motion_chart study.motion_history study.motion_base
+study.motion_measure study.motion_report study.motion_figure
 cli.__init__ cli.common cli.podeep cli.chart cli.modes cli.solve
 """.split()
 

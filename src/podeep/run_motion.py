@@ -20,8 +20,8 @@ from .solve.plan import begun, simulation, step_for
 from .solve.simulate import Block, Simulation
 
 _RECORDS = 1000  # that a run has by default, at most
-_FINER = 0.5  # of a step whose error turned out too large
-_RESTARTS = 3
+FINER = 0.5  # of a step whose error turned out too large
+RESTARTS = 3
 
 Progress = Callable[[str], None]
 
@@ -137,9 +137,9 @@ def run_motion(
     start = [begun(scene, foundation) for foundation in scene.foundations]
     step = step_for(scene, dynamics, start)
     whole = dynamics.end - dynamics.start
-    for restarts in range(_RESTARTS + 1):
+    for restarts in range(RESTARTS + 1):
         one = simulation(scene, dynamics, start, step, whole)
-        patient = dynamics.step is not None or restarts == _RESTARTS
+        patient = dynamics.step is not None or restarts == RESTARTS
         ledgers = [ledger(scene, b, m.body) for b, m in zip(start, one.motions, strict=True)]
         with Writer(
             target,
@@ -154,7 +154,7 @@ def run_motion(
             log = Log(one, dynamics, ledgers, writer, tell)
             fine = log.follow(None if patient else scene.numerics.accuracy)
             if not fine:
-                step *= _FINER
+                step *= FINER
                 continue
             failure = log.failure()
             writer.finish("stopped" if failure else "complete", failure)
