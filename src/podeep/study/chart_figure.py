@@ -15,12 +15,6 @@ if TYPE_CHECKING:
 _MILLI = 1e3
 LEAST = 1e-14  # an error of nothing is drawn here
 FRONT, UNSURE, CHOICE = "#c9c9c9", "#f1f1f1", "#111111"
-BELOW: dict[str, Any] = {  # where words stand by a point
-    "xytext": (0, -18),
-    "textcoords": "offset points",
-    "ha": "center",
-    "fontsize": 8,
-}
 _DEGREES = {3: PALETTE[4], 5: PALETTE[1], 7: PALETTE[0]}
 _LUMPED = PALETTE[8]
 
@@ -111,7 +105,8 @@ def _fastest(axes: "Axes", found: Chart) -> None:
     chosen = {row.setting: _place(row) for row in rows if row}
     for setting, place in chosen.items():
         text = f"{setting.elements} of degree {setting.series.degree}"
-        axes.annotate(text, place, **BELOW)
+        below: dict[str, Any] = {"xytext": (0, -18), "textcoords": "offset points", "ha": "center"}
+        axes.annotate(text, place, fontsize=8, **below)
     if chosen:
         ring: dict[str, Any] = {"linestyle": "", "marker": "o", "markersize": 11.0}
         axes.plot(

@@ -196,7 +196,7 @@ def settings(
     for accuracy, base in bases.items():
         for method in methods:
             series, errors, last = MotionSeries(method, accuracy), list[float](), 0.0
-            if why := _never(work.scene, method):
+            if why := unsuited(work.scene, method):
                 if accuracy == max(bases):
                     rows.append(MotionRow(MotionSetting(series, steps[0]), failure=why))
                 continue
@@ -218,7 +218,7 @@ def settings(
     return sorted(rows, key=lambda row: order[row.setting.series.method]), cut
 
 
-def _never(scene: Scene, method: Method) -> str:
+def unsuited(scene: Scene, method: Method) -> str:
     """Why a method cannot follow a scene at all; empty if it can."""
     try:
         check_motion(replace(scene, dynamics=replace(dynamics_of(scene), method=method)))

@@ -44,7 +44,7 @@ def motion_report(found: MotionChart) -> str:
         *folded(f"CPU time of all steps in ms, and {unit}, of the fastest within an error"),
     ]
     lines += ["(it and all shorter steps of its method; building is not counted)"]
-    lines += [f"medians of {_runs(found)} runs", "", *_table(found), "", *folded(_WORDS)]
+    lines += [f"medians of {_runs(found)}", "", *_table(found), "", *folded(_WORDS)]
     lines += [*_failures(found), *_cut(found)]
     lines += ["", "lines for the deck, in place of its own *ACCURACY and *DYNAMIC"]
     for choice in found.choices:
@@ -76,7 +76,9 @@ def _explicit(found: MotionChart) -> str:
 def _runs(found: MotionChart) -> str:
     """How often what was solved was timed; slow runs are not repeated."""
     runs = {row.runs for row in found.rows if row.errors}
-    return " to ".join(map(str, sorted({min(runs, default=0), max(runs, default=0)})))
+    least, most = min(runs, default=0), max(runs, default=0)
+    many = f"{least} to {most}" if least < most else f"{most}"
+    return f"{many} run{'s' * (most != 1)}"
 
 
 def _table(found: MotionChart) -> Iterator[str]:
