@@ -88,7 +88,7 @@ class Task:
     """What all measurements of a foundation share.
 
     period: s, in which steps are counted; until: seconds of motion that are charted; begin: of the
-    work.
+    work. Time for it is CPU time: what else a machine does has no part in what is measured.
     """
 
     scene: Scene
@@ -100,8 +100,8 @@ class Task:
     tell: Tell
 
     def left(self, share: float) -> float:
-        """Seconds until a share of what all may take is spent."""
-        return self.begin + share * self.plan.seconds - time.monotonic()
+        """CPU seconds until a share of what all may take is spent."""
+        return self.begin + share * self.plan.seconds - time.process_time()
 
 
 def task(

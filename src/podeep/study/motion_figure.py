@@ -43,9 +43,8 @@ def draw_motion_chart(found: MotionChart, case: str) -> "Figure":
     _fastest(axes, found)
     _choices(axes, found)
     whole = short(found.dynamics.end - found.dynamics.start)
-    title = (
-        f"{case}, {found.foundation}: speed against accuracy, {short(found.span)} s of {whole} s"
-    )
+    span = f"the first {short(found.span)} s of {whole} s"
+    title = f"{case}, {found.foundation}: speed against accuracy in motion, {span}"
     figure.suptitle(title, x=0.01, ha="left", fontsize=11, parse_math=False)
     axes.set_title(found.machine, loc="left", fontsize=8, color=ZERO, parse_math=False)
     figure.legend(loc="outside lower left", frameon=False, fontsize=9, handlelength=3.2, ncols=4)

@@ -48,16 +48,16 @@ def places_of(model: Model) -> Array:
 def follow(one: Simulation, book: Ledger, x: Array, patience: float) -> Followed:
     """The history of the first foundation of a simulation at depths x.
 
-    patience: seconds that it may take.
+    patience: CPU seconds that it may take.
     """
     one.every = one.count  # the last step alone is recorded
     stride = max(ceil(one.count / _ROWS), 1)
     parts = [_history(one.beginning(), book, x, 1)]
-    begin = time.monotonic()
+    begin = time.process_time()
     with np.errstate(over="ignore", invalid="ignore"):  # a method may go astray
         for block in one.blocks(_BLOCK):
             parts.append(_history(block, book, x, stride))
-            if time.monotonic() - begin > patience and one.done < one.count:
+            if time.process_time() - begin > patience and one.done < one.count:
                 return _failed(one, f"at {one.time:.4g} s: it takes longer than {patience:.0f} s")
     if one.ending is not End.COMPLETE:
         return _failed(one, f"at {one.time:.4g} s: {one.ending.value}")

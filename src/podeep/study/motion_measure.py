@@ -58,7 +58,7 @@ def charted_motion(
     scene: Scene, foundation: Foundation, plan: MotionPlan, tell: Tell
 ) -> MotionChart:
     """The chart of a plan."""
-    begin = time.monotonic()
+    begin = time.process_time()
     tell("statics")
     bases = {accuracy: base_of(scene, foundation, accuracy) for accuracy in plan.accuracies}
     loose = bases[max(plan.accuracies)]
@@ -152,7 +152,7 @@ def converged(
 ) -> tuple[MotionReference, History, float]:
     """The motion by the default method with steps that are halved until they are small enough.
 
-    rate: of steps in a period, the first that is tried. Also tells how long the last took, s.
+    rate: of steps in a period, the first that is tried. Also tells the CPU time of the last, s.
     """
     dynamics = _default(work.scene)
     gain = 2.0 ** integrator(dynamics).order - 1.0
@@ -160,13 +160,13 @@ def converged(
     before = None
     while True:
         work.tell(f"converged motion for {accuracy:g}: {rate} steps in {work.period:g} s")
-        begin = time.monotonic()
+        begin = time.process_time()
         followed, step, _ = base.follow(dynamics, work.period / rate, work.until, x)
         if followed.history is None:
             raise AnalysisFailed(f"no chart: the motion itself ends {followed.failure}")
         if before is not None:
             error = errors_of(before, Truth.of(followed.history)).largest / gain
-        spent = time.monotonic() - begin
+        spent = time.process_time() - begin
         late = before is not None and 2.0 * spent > work.left(_CONVERGING)
         if error <= TENTH * accuracy or 2 * rate > work.plan.finest or late:
             reference = MotionReference(accuracy, *base.mesh, step, error)
@@ -205,9 +205,9 @@ def settings(
                 if plan.growth * last > work.left(_MEASURING):
                     cut.append(series)
                     break
-                begin = time.monotonic()
+                begin = time.process_time()
                 rows.append(measured(work, base, MotionSetting(series, step), x, truths[accuracy]))
-                last = time.monotonic() - begin
+                last = time.process_time() - begin
                 found = rows[-1].errors
                 errors.append(found.largest if found else inf)
                 if enough(errors, accuracy):

@@ -38,7 +38,7 @@ class MotionPlan:
 
     least, most, growth: steps in the shortest period, and from one to the next. finest: of the
     converged motion, at most. periods: longest ones that are charted, at most. runs: of each
-    setting that are timed, at most. seconds: that all may take, about; whole: steps in a shortest
+    setting that are timed, at most. seconds: of CPU time that all may take, about; whole: steps in a shortest
     period, of all settings together, that these are counted for.
     """
 
@@ -47,21 +47,21 @@ class MotionPlan:
     most: int = 5120
     growth: float = 2.0**0.5
     finest: int = 20480
-    periods: int = 3
+    periods: int = 2
     runs: int = 9
     seconds: float = inf
     whole: int = 400_000
     accuracies: tuple[float, ...] = PRESETS
 
 
-FULL = MotionPlan(seconds=280.0)
+FULL = MotionPlan(seconds=240.0)
 QUICK = MotionPlan(
     most=2560,
     growth=2.0,
     finest=10240,
     periods=2,
     runs=3,
-    seconds=55.0,
+    seconds=50.0,
     whole=100_000,
     accuracies=PRESETS[:3],
 )
