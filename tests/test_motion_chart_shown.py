@@ -151,7 +151,7 @@ def test_what_stands_in_the_picture():
     assert {1e-2, 1e-3, 1e-4} <= vertical
     stars = [line for line in axes.lines if line.get_marker() == "*"]
     assert [float(s.get_ydata()[0]) for s in stars] == pytest.approx([900.0, 150.0, 900.0, 480.0])
-    assert "NEWMARK, 80 steps a period" in {text.get_text() for text in axes.texts}
+    assert "NEWMARK,\n80 steps a period" in {text.get_text() for text in axes.texts}
     figure.draw_without_rendering()
     box = figure.get_tightbbox().get_points() / figure.get_size_inches()
     assert box.min() >= 0.0

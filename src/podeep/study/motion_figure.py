@@ -55,7 +55,7 @@ def _frame(axes: "Axes", found: MotionChart) -> None:
     milliseconds_up(axes)
     every = [row.errors for row in (*found.rows, *(c.row for c in found.choices if c.row))]
     known = [*found.accuracies, *(max(e.largest, LEAST) for e in every if e)]
-    left, right = 0.5 * min(known), 2.0 * max(known)
+    left, right = 0.35 * min(known), 2.0 * max(known)
     axes.set_xlim(left, right)
     axes.margins(y=0.12)  # room for what is written below points
     least = min((one.error for one in found.references), default=0.0)
@@ -94,11 +94,11 @@ def _place(row: MotionRow) -> tuple[float, float]:
 def _fastest(axes: "Axes", found: MotionChart) -> None:
     """A ring around the fastest setting for each accuracy, with method and steps."""
     rows = [row for preset in found.accuracies if (row := found.fastest(preset))]
-    beside: dict[str, Any] = {"xytext": (-9, -13), "textcoords": "offset points", "fontsize": 8}
+    beside: dict[str, Any] = {"xytext": (-7, -22), "textcoords": "offset points", "fontsize": 8}
     beside |= {"ha": "right"}  # nothing is faster and more exact
-    unit = "steps" if found.period is None else "steps a period"
+    unit = "steps" if found.period is None else "steps a period"  # the shortest
     for row in rows:
-        text = f"{row.setting.series.method}, {found.rate(row)} {unit}"
+        text = f"{row.setting.series.method},\n{found.rate(row)} {unit}"
         axes.annotate(text, _place(row), **beside)
     if rows:
         ring: dict[str, Any] = {"linestyle": "", "marker": "o", "markersize": 11.0}

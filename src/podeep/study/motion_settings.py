@@ -38,8 +38,8 @@ class MotionPlan:
 
     least, most, growth: steps in the shortest period, and from one to the next. finest: of the
     converged motion, at most. periods: longest ones that are charted, at most. runs: of each
-    setting that are timed, at most. seconds: of CPU time that all may take, about; whole: steps in a shortest
-    period, of all settings together, that these are counted for.
+    setting that are timed, at most. seconds: of CPU time that all may take, about; whole: steps in
+    a shortest period, of all settings together, that these are counted for.
     """
 
     methods: tuple[Method, ...] = IMPLICIT
