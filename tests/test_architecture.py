@@ -49,6 +49,8 @@ motion_record resume run_motion run
 study.__init__ study.settings study.chart study.measure study.chart_report study.chart_figure
 study.oscillator study.trials study.limits study.stability study.stability_report
 study.stability_figure
+study.motion_settings study.motion_chart study.motion_history study.motion_base
+study.motion_measure study.motion_report study.motion_figure
 cli.__init__ cli.common cli.podeep cli.chart cli.modes cli.solve
 """.split()
 

@@ -23,8 +23,8 @@ from .solve.resume import resume, state_of
 from .solve.simulate import BLOCK, Block, Simulation
 
 _RECORDS = 1000  # that a run has by default, at most
-_FINER = 0.5  # of a step whose error turned out too large
-_RESTARTS = 3
+FINER = 0.5  # of a step whose error turned out too large
+RESTARTS = 3
 
 _BY_DEFAULT = Options()
 
@@ -166,9 +166,9 @@ def run_motion(
     else:
         step, first = map(float, _part(state, "step", 2))
     whole = dynamics.end - dynamics.start
-    for restarts in range(int(first), _RESTARTS + 1):
+    for restarts in range(int(first), RESTARTS + 1):
         one = simulation(scene, dynamics, start, step, whole)
-        patient = dynamics.step is not None or restarts == _RESTARTS
+        patient = dynamics.step is not None or restarts == RESTARTS
         ledgers = [ledger(scene, b, m.body) for b, m in zip(start, one.motions, strict=True)]
         chosen = {"step": np.array([step, restarts]), **options.state}
         log = Log(one, dynamics, ledgers, chosen, tell)
@@ -193,7 +193,7 @@ def run_motion(
         try:
             with writer:
                 if not log.follow(writer, None if patient else scene.numerics.accuracy):
-                    step *= _FINER
+                    step *= FINER
                     continue
                 failure = log.failure()
                 writer.finish("stopped" if failure else "complete", failure)

@@ -5,6 +5,7 @@ import sys
 
 from ..errors import ExitCode, Fault, UserError
 from ..files import make_folder
+from ..scene import Foundation, Scene
 
 
 def chart(options: argparse.Namespace) -> ExitCode:
@@ -20,6 +21,8 @@ def chart(options: argparse.Namespace) -> ExitCode:
 
     scene = read_deck(options.deck).scene
     foundation = foundation_of(scene, options.foundation)
+    if scene.dynamics is not None and not options.statics:
+        return _motion(scene, foundation, options)
     folder = None if options.directory is None else make_folder(options.directory)
     try:
         found = chart_of(scene, foundation, quick=options.quick, tell=progress)
@@ -51,6 +54,25 @@ def stability(options: argparse.Namespace) -> ExitCode:
         from ..study.stability_figure import save_stability
 
         picture = save_stability(found, folder)
+        print(f"written: {picture}", file=sys.stderr if options.csv else sys.stdout)
+    return ExitCode.DONE
+
+
+def _motion(scene: Scene, foundation: Foundation, options: argparse.Namespace) -> ExitCode:
+    """The same of a motion."""
+    from ..study.motion_measure import motion_chart
+    from ..study.motion_report import motion_csv, motion_report
+
+    folder = None if options.directory is None else make_folder(options.directory)
+    try:
+        found = motion_chart(scene, foundation, quick=options.quick, tell=progress)
+    finally:
+        progress("")
+    sys.stdout.write(motion_csv(found) if options.csv else motion_report(found) + "\n")
+    if folder is not None:
+        from ..study.motion_figure import save_motion_chart
+
+        picture = save_motion_chart(found, folder, options.deck.stem)
         print(f"written: {picture}", file=sys.stderr if options.csv else sys.stdout)
     return ExitCode.DONE
 

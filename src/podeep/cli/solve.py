@@ -81,6 +81,7 @@ def parser() -> argparse.ArgumentParser:
     )
     chart_.add_argument("--foundation", help="F1, F2, ...; the first one by default")
     chart_.add_argument("--quick", action="store_true", help="fewer meshes and fewer runs")
+    chart_.add_argument("--statics", action="store_true", help="of statics, also with *DYNAMIC")
     chart_.add_argument("--csv", action="store_true", help="every setting, full precision")
     chart_.add_argument("-o", dest="directory", type=Path, help="where to write a picture")
     chart_.set_defaults(command=chart)

@@ -90,9 +90,18 @@ def largest_factor(history: Harmonic | TimeSeries) -> float:
 
 
 def simulation(
-    scene: Scene, dynamics: Dynamics, begun: list[Begun], step: float, until: float
+    scene: Scene,
+    dynamics: Dynamics,
+    begun: list[Begun],
+    step: float,
+    until: float,
+    *,
+    twins: bool = True,
 ) -> Simulation:
-    """All foundations, and their twins, at the start of a motion of so many seconds."""
+    """All foundations, and their twins, at the start of a motion of so many seconds.
+
+    Without twins its errors are not known.
+    """
     count = max(2 * ceil(0.5 * until / step * (1.0 - 1e-12)), 2)
 
     def motions() -> list[Motion]:
@@ -103,7 +112,7 @@ def simulation(
 
     return Simulation(
         motions(),
-        motions(),
+        motions() if twins else (),
         integrator(dynamics),
         until / count,
         count,

@@ -5,8 +5,9 @@ displacement, the largest reaction and the largest moment (along the axis: settl
 friction, normal force). Times are medians of CPU times of all steps.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from typing import Protocol, TypeVar
 
 import numpy as np
 
@@ -103,20 +104,48 @@ class Chart:
 
     def fastest(self, preset: float, wanted: Callable[[Series], bool]) -> Row | None:
         """The fastest of the wanted series that is within an error, as all its finer meshes are."""
-        good: list[Row] = []
-        for rows in (rows for series, rows in self.series().items() if wanted(series)):
-            for row in reversed(rows):
-                if row.errors is None or row.errors.largest > preset:
-                    break
-                good.append(row)
+        every = [rows for series, rows in self.series().items() if wanted(series)]
+        good = [row for rows in every for row in within(rows, preset)]
         return min(good, key=lambda row: row.seconds or 0.0, default=None)
 
     def front(self) -> list[Row]:
         """Rows that none beats in time and error at once, from fast to exact."""
-        best, found = np.inf, []
-        solved = [(r.seconds or 0.0, r.errors.largest, r) for r in self.rows if r.errors]
-        for _, error, row in sorted(solved, key=lambda one: one[:2]):
-            if error < best:
-                best = error
-                found.append(row)
-        return found
+        return beaten_by_none(self.rows)
+
+
+class HasError(Protocol):
+    @property
+    def largest(self) -> float: ...
+
+
+class Measured(Protocol):
+    """A setting of any chart."""
+
+    @property
+    def errors(self) -> HasError | None: ...
+    @property
+    def seconds(self) -> float | None: ...
+
+
+AnyRow = TypeVar("AnyRow", bound=Measured)
+
+
+def within(rows: Sequence[AnyRow], preset: float) -> list[AnyRow]:
+    """Of rows from coarse to fine, the last ones that are all within an error."""
+    good: list[AnyRow] = []
+    for row in reversed(rows):
+        if row.errors is None or row.errors.largest > preset:
+            break
+        good.append(row)
+    return good
+
+
+def beaten_by_none(rows: Iterable[AnyRow]) -> list[AnyRow]:
+    """Rows that none beats in time and error at once, from fast to exact."""
+    best, found = np.inf, []
+    solved = [(r.seconds or 0.0, r.errors.largest, r) for r in rows if r.errors]
+    for _, error, row in sorted(solved, key=lambda one: one[:2]):
+        if error < best:
+            best = error
+            found.append(row)
+    return found

@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _MILLI = 1e3
-_LEAST = 1e-14  # an error of nothing is drawn here
-_FRONT, _UNSURE, _CHOICE = "#c9c9c9", "#f1f1f1", "#111111"
+LEAST = 1e-14  # an error of nothing is drawn here
+FRONT, UNSURE, CHOICE = "#c9c9c9", "#f1f1f1", "#111111"
 _DEGREES = {3: PALETTE[4], 5: PALETTE[1], 7: PALETTE[0]}
 _LUMPED = PALETTE[8]
 
@@ -31,7 +31,7 @@ def draw_chart(found: Chart, case: str) -> "Figure":
     _frame(axes, found)
     front = [_place(row) for row in found.front()]
     if front:
-        wide: dict[str, Any] = {"color": _FRONT, "linewidth": 7.0, "drawstyle": "steps-pre"}
+        wide: dict[str, Any] = {"color": FRONT, "linewidth": 7.0, "drawstyle": "steps-pre"}
         axes.plot(*zip(*front, strict=True), label="best of all", zorder=1, **wide)
     for series, rows in found.series().items():
         places = [_place(row) for row in rows if row.errors]
@@ -50,6 +50,24 @@ def draw_chart(found: Chart, case: str) -> "Figure":
 
 
 def _frame(axes: "Axes", found: Chart) -> None:
+    milliseconds_up(axes)
+    every = [*(row.errors for row in found.rows), *(one.errors for one in found.choices)]
+    known = [*PRESETS, *(max(e.largest, LEAST) for e in every if e)]
+    left, right = 0.5 * min(known), 2.0 * max(known)
+    axes.set_xlim(left, right)
+    axes.margins(y=0.12)  # room for what is written below points
+    if found.reference.error > left:
+        label = "below the error of the reference"
+        axes.axvspan(left, found.reference.error, color=UNSURE, label=label, zorder=0)
+    axes.set_xlabel("Largest relative error of displacement, reaction and moment in any step")
+    axes.set_ylabel("CPU time of all steps (ms)")
+    for number, preset in enumerate(PRESETS):
+        label = "_" if number else f"errors {listed(PRESETS)}"  # matplotlib lists no "_"
+        axes.axvline(preset, color=ZERO, linewidth=1.1, linestyle=":", label=label, zorder=2)
+
+
+def milliseconds_up(axes: "Axes") -> None:
+    """Logarithmic scales with round times and a light grid."""
     from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
     axes.set_xscale("log")
@@ -57,21 +75,8 @@ def _frame(axes: "Axes", found: Chart) -> None:
     axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.yaxis.set_minor_formatter(NullFormatter())
-    every = [*(row.errors for row in found.rows), *(one.errors for one in found.choices)]
-    known = [*PRESETS, *(max(e.largest, _LEAST) for e in every if e)]
-    left, right = 0.5 * min(known), 2.0 * max(known)
-    axes.set_xlim(left, right)
-    axes.margins(y=0.12)  # room for what is written below points
-    if found.reference.error > left:
-        label = "below the error of the reference"
-        axes.axvspan(left, found.reference.error, color=_UNSURE, label=label, zorder=0)
     axes.grid(color="#e4e4e4", linewidth=0.7)
     axes.set_axisbelow(True)
-    axes.set_xlabel("Largest relative error of displacement, reaction and moment in any step")
-    axes.set_ylabel("CPU time of all steps (ms)")
-    for number, preset in enumerate(PRESETS):
-        label = "_" if number else f"errors {_listed(PRESETS)}"  # matplotlib lists no "_"
-        axes.axvline(preset, color=ZERO, linewidth=1.1, linestyle=":", label=label, zorder=2)
 
 
 def _pen(series: Series) -> dict[str, Any]:
@@ -91,7 +96,7 @@ def _pen(series: Series) -> dict[str, Any]:
 def _place(row: Row) -> tuple[float, float]:
     """Error and CPU time (ms) of a setting that was solved."""
     assert row.errors is not None
-    return max(row.errors.largest, _LEAST), _MILLI * (row.seconds or 0.0)
+    return max(row.errors.largest, LEAST), _MILLI * (row.seconds or 0.0)
 
 
 def _fastest(axes: "Axes", found: Chart) -> None:
@@ -106,7 +111,7 @@ def _fastest(axes: "Axes", found: Chart) -> None:
         ring: dict[str, Any] = {"linestyle": "", "marker": "o", "markersize": 11.0}
         axes.plot(
             *zip(*chosen.values(), strict=True),
-            color=_CHOICE,
+            color=CHOICE,
             markerfacecolor="none",
             label="fastest that a deck can ask for",
             zorder=5,
@@ -121,17 +126,18 @@ def _choices(axes: "Axes", found: Chart) -> None:
         if one.errors:
             asked.setdefault((one.elements, one.degree), []).append(one)
     for number, same in enumerate(asked.values()):
-        x = next(max(one.errors.largest, _LEAST) for one in same if one.errors)
+        x = next(max(one.errors.largest, LEAST) for one in same if one.errors)
         whole, last = (_MILLI * (s or 0.0) for s in (same[0].seconds, same[0].last))
-        star: dict[str, Any] = {"linestyle": "", "marker": "*", "color": _CHOICE, "zorder": 5}
+        star: dict[str, Any] = {"linestyle": "", "marker": "*", "color": CHOICE, "zorder": 5}
         words = ("automatic for *ACCURACY, all told", "its last mesh alone")
         labels = words if number == 0 else ("_", "_")  # matplotlib lists no "_"
         axes.plot(x, whole, markersize=12.0, label=labels[0], **star)
         axes.plot(x, last, markersize=12.0, label=labels[1], markerfacecolor="white", **star)
-        axes.plot([x, x], [last, whole], color=_CHOICE, linewidth=0.7, linestyle="--", zorder=2)
+        axes.plot([x, x], [last, whole], color=CHOICE, linewidth=0.7, linestyle="--", zorder=2)
         near: dict[str, Any] = {"xytext": (8, 4), "textcoords": "offset points", "fontsize": 8}
-        axes.annotate(_listed([one.accuracy for one in same]), (x, whole), **near)
+        axes.annotate(listed([one.accuracy for one in same]), (x, whole), **near)
 
 
-def _listed(errors: Sequence[float]) -> str:
+def listed(errors: Sequence[float]) -> str:
+    """Errors as 1e-2, 1e-3."""
     return ", ".join(f"{error:.0e}".replace("e-0", "e-") for error in errors)

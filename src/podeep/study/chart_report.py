@@ -85,10 +85,10 @@ def _table(found: Chart) -> Iterator[str]:
 
 
 def _cell(seconds: float | None, elements: int) -> str:
-    return f"{_ms(seconds)} ({elements})"
+    return f"{milliseconds(seconds)} ({elements})"
 
 
-def _ms(seconds: float | None) -> str:
+def milliseconds(seconds: float | None) -> str:
     """Three digits of milliseconds."""
     value = _MILLI * (seconds or 0.0)
     return f"{value:.3g}" if value < 1e3 else f"{value:.0f}"
@@ -114,7 +114,7 @@ def _preset(found: Chart, preset: float, choice: Choice) -> Iterator[str]:
     if row is not None and row.errors is not None:
         yield from folded(
             f"{preset:.0e}: {_mesh(row.setting)}, error {row.errors.largest:.1e}, "
-            f"{_ms(row.seconds)} ms, built in {_ms(row.building)} ms"
+            f"{milliseconds(row.seconds)} ms, built in {milliseconds(row.building)} ms"
         )
     else:
         yield f"{preset:.0e}: no ELEMENTS and ORDER that were measured reach it"
@@ -127,8 +127,8 @@ def _preset(found: Chart, preset: float, choice: Choice) -> Iterator[str]:
     mesh = _mesh(Setting(Series(choice.degree), choice.elements))
     yield from folded(
         f"  automatic choice: {mesh}, error {choice.errors.largest:.1e} (estimated "
-        f"{choice.estimate:.1e}), {_ms(choice.seconds)} ms all told, its last mesh alone "
-        f"{_ms(choice.last)} ms"
+        f"{choice.estimate:.1e}), {milliseconds(choice.seconds)} ms all told, its last mesh alone "
+        f"{milliseconds(choice.last)} ms"
     )
 
 

@@ -8,6 +8,7 @@ import platform
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from importlib.metadata import version
 from math import inf
 from statistics import median
@@ -247,22 +248,34 @@ def last_mesh(scene: Scene, solved: Solved) -> Body:
 
 
 def timings(bodies: Sequence[Body], wanted: Plan, tell: Tell) -> list[list[float]]:
-    """CPU times of bodies that take turns, in one order and then in the other.
+    """CPU times of bodies, as `turns` has them."""
+    return turns([partial(cpu_time, body) for body in bodies], wanted.runs, wanted.patience, tell)
 
-    Each runs once, then all as often as the plan and its time allow.
+
+def cpu_time(body: Body) -> float:
+    """CPU time of a run, s."""
+    start = time.process_time()
+    body()
+    return time.process_time() - start
+
+
+def turns(
+    clocks: Sequence[Callable[[], float]], runs: int, patience: float, tell: Tell
+) -> list[list[float]]:
+    """Times told by clocks that take turns, in one order and then in the other.
+
+    Each runs once, then all as often as is asked and as the patience, s, allows.
     """
-    spent: list[list[float]] = [[] for _ in bodies]
-    deadline = time.monotonic() + wanted.patience
-    for number in range(wanted.runs):
+    spent: list[list[float]] = [[] for _ in clocks]
+    deadline = time.monotonic() + patience
+    for number in range(runs):
         if number and time.monotonic() > deadline:
             break
-        tell(f"timing, run {number + 1} of {wanted.runs}")
-        turns = list(zip(bodies, spent, strict=True))
-        for body, times in turns if number % 2 == 0 else reversed(turns):
+        tell(f"timing, run {number + 1} of {runs}")
+        pairs = list(zip(clocks, spent, strict=True))
+        for clock, times in pairs if number % 2 == 0 else reversed(pairs):
             if not times or times[0] <= _SLOW:
-                start = time.process_time()
-                body()
-                times.append(time.process_time() - start)
+                times.append(clock())
     return spent
 
 
