@@ -56,7 +56,8 @@ def test_cf21_dynamic_stiffness_of_a_head_across() -> None:
 def test_a_rigid_tube_on_springs_swings_as_one_mass() -> None:
     """Every point at 1 m/s from rest: u = sin(w t) / w with w^2 = k / m, whatever the bending."""
     k, w = 20e6, sqrt(20e6 / MASS)
-    motion = motion_of(elastic_pile(30.0, k, Dynamics(0.0, 1.0), (PUSH,)))
+    scene = elastic_pile(30.0, k, Dynamics(0.0, 1.0), (replace(PUSH, force=(0.0, 1e-9, 0.0)),))
+    motion = motion_of(replace(scene, harmonics=(Harmonic("PUSH", 1.0),)))
     field = motion.body.model.lateral.system.field
     rigid = np.zeros(field.size)
     rigid[field.dofs[:, [0, -2]]] = 1.0

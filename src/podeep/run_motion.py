@@ -30,8 +30,9 @@ Progress = Callable[[str], None]
 class MotionRun:
     """What a dynamic run did: its database, and how it went.
 
-    time: s, that was reached. error: of the displacements, as it is estimated. failure: why the
-    rest of the time is missing; empty if nothing is.
+    time: s, that was reached. error: of the displacements, as it is estimated. dissipated: what
+    soil that remembers has lost, J. failure: why the rest of the time is missing; empty if nothing
+    is.
     """
 
     database: Path
@@ -42,16 +43,19 @@ class MotionRun:
     iterations: int
     error: float
     accuracy: float
+    dissipated: float
     failure: str
 
     @property
     def text(self) -> str:
         """The report in words."""
         mean = self.iterations / max(self.steps, 1)
+        lost = f"    the soil has dissipated {self.dissipated:.4g} J\n" if self.dissipated else ""
         return (
             f"Motion to {self.time:g} s: {self.steps} steps of {self.step:.4g} s, "
             f"{mean:.1f} iterations a step\n"
             f"    estimated error of displacements {self.error:.1e}, asked {self.accuracy:.0e}\n"
+            f"{lost}"
             f"written: {self.database}, {self.records} times"
         )
 
@@ -73,6 +77,13 @@ class MotionRun:
 def check_motion(scene: Scene) -> None:
     """Raises UserError for what a scene asks of its motion and cannot have."""
     dynamics, moved = scene.dynamics, {d.name for d in scene.displacements}
+    if dynamics is not None and dynamics.adaptive:
+        raise UserError(
+            Fault(
+                "IOPTDT=1 asks for a step that varies along the motion: this version has none",
+                "leave IOPTDT out, and DT too: the step then follows from *ACCURACY",
+            )
+        )
     names = [h.name for h in scene.harmonics] + [h.name for h in scene.series]
     driven = [name for name in names if name in moved]
     if dynamics is not None and dynamics.method == "ROS2" and driven:
@@ -159,7 +170,9 @@ def run_motion(
             failure = log.failure()
             writer.finish("stopped" if failure else "complete", failure)
         counted = (one.time, one.h, one.done, log.records, log.iterations, one.error)
-        return MotionRun(target, *counted, scene.numerics.accuracy, failure)
+        moving = [p for m in one.motions for p in (m.body.lateral, m.body.axial) if p is not None]
+        lost = sum(problem.dissipated() for problem in moving)
+        return MotionRun(target, *counted, scene.numerics.accuracy, lost, failure)
     raise RuntimeError("unreachable")
 
 

@@ -53,8 +53,8 @@ class Body:
     """A foundation in motion.
 
     static: its model at the end of statics, and `rest` the state there. model: the same with the
-    curves of motion. axial: None where nothing moves along the tubes. squeeze: None where the
-    normal force does not count.
+    curves of motion. sways: something moves across the tubes. axial: None where nothing moves along
+    them. squeeze: None where the normal force does not count.
     """
 
     static: Model
@@ -63,6 +63,7 @@ class Body:
     lateral: Moving
     axial: Moving | None
     squeeze: Squeeze | None
+    sways: bool
 
 
 def body(scene: Scene, static: Model, rest: State) -> Body:
@@ -94,11 +95,13 @@ def body(scene: Scene, static: Model, rest: State) -> Body:
         return Moving(problem, mass, lossy, pushes, origin, base, memory)
 
     lateral = moving("lateral")
-    axial = moving("axial") if moves_along(scene, model, pushes) else None
+    axial = moving("axial") if moves(scene, model, pushes, "axial") else None
     squeeze = squeezed(model, static, rest) if static.needs.second_order else None
     if squeeze is not None:
         lateral.press(squeeze.band(rest.axial))
-    return Body(static, rest, model, lateral, axial, squeeze)
+    bent = squeeze is not None and axial is not None and bool(rest.lateral.any())
+    sways = bent or moves(scene, model, pushes, "lateral")
+    return Body(static, rest, model, lateral, axial, squeeze, sways)
 
 
 def check_moves(scene: Scene, static: Model) -> None:
@@ -126,12 +129,12 @@ def softened(problem: Problem, rest: State) -> tuple[Problem, System]:
     return replace(problem, system=system), system
 
 
-def moves_along(scene: Scene, model: Model, pushes: Drive) -> bool:
-    """Whether a load with a history acts along the tubes, or they start out of place there."""
-    moving, problem = [place for place, _ in pushes.moving], model.axial
+def moves(scene: Scene, model: Model, pushes: Drive, which: Which) -> bool:
+    """Whether a load with a history acts on a problem, or it starts out of place."""
+    places, problem = [place for place, _ in pushes.moving], getattr(model, which)
     tubes = model.foundation.tubes
-    starts = any(s.dof == "Z" and s.tube in tubes for s in scene.starts)
-    return starts or bool(problem.forces[moving].any() or problem.imposed[moving].any())
+    starts = any((s.dof == "Z") == (which == "axial") for s in scene.starts if s.tube in tubes)
+    return starts or bool(problem.forces[places].any() or problem.imposed[places].any())
 
 
 def damping(scene: Scene, model: Model, problem: Problem, mass: Array, which: Which) -> Array:

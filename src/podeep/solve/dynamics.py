@@ -1,6 +1,6 @@
 """Foundations in motion, followed step by step from the end of statics."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 
 import numpy as np
@@ -95,8 +95,10 @@ class Motion:
             axial = method.step(body.axial, axial, h, patience, self.effort)
             if body.squeeze is not None:
                 body.lateral.press(body.squeeze.band(axial.q))
-        lateral = method.step(body.lateral, self.lateral, h, patience, self.effort)
-        self._accept(body.lateral, self.lateral, lateral)
+        lateral = replace(self.lateral, time=self.lateral.time + h)
+        if body.sways:
+            lateral = method.step(body.lateral, self.lateral, h, patience, self.effort)
+            self._accept(body.lateral, self.lateral, lateral)
         if body.axial is not None and self.axial is not None and axial is not None:
             self._accept(body.axial, self.axial, axial)
         self.axial, self.lateral = axial, lateral
@@ -116,6 +118,16 @@ class Motion:
                 out, size = out_of_balance(equations, state)
                 self.force, left = max(self.force, size), max(left, out)
         return left / self.force if self.force else 0.0
+
+    def sizes(self, other: "Motion | None" = None) -> tuple[float, float]:
+        """Largest unknowns of deflection and stretch, or of their distance from another's, m."""
+        q, axial = self.lateral.q, self.axial
+        if other is not None:
+            q = q - other.lateral.q
+        if axial is None:
+            return largest(q), 0.0
+        along = axial.q if other is None or other.axial is None else axial.q - other.axial.q
+        return largest(q), largest(along)
 
     def lost(self) -> bool:
         """Whether the foundation is lost: its tip has settled by a diameter, or it went further."""

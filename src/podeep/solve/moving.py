@@ -13,6 +13,7 @@ from ..model.system import Reached, System
 from ..soil.memory import Memory
 
 _LOADS = 4  # times whose loads are kept: a step asks for those at its ends
+_SECANT = 1e-3  # displacement whose secant stands for an infinite slope at rest, m
 _KEPT = 8  # weights of mass and damping whose matrices are kept: steps are halved and doubled
 
 #: Factors of the loads at a time, s: values, first and second derivatives, (names,) each.
@@ -138,14 +139,23 @@ class Moving:
         return np.asarray(lapack.dpbtrs(one.factors, right, lower=1)[0])
 
     def fastest(self) -> float:
-        self.system.reached = self._weighed.system.reached
+        """As `Equations.fastest`, about the origin; secants stand for infinite slopes."""
+        return self._frequency(self.system.size - len(self.held) - 1)
+
+    def slowest(self) -> float:
+        """Smallest natural frequency about the origin, rad/s, as `fastest`."""
+        return self._frequency(0)
+
+    def _frequency(self, place: int) -> float:
+        """One of the natural frequencies, by size, rad/s."""
+        self.system.internal(np.zeros(self.system.size))
+        self.system.blunted(_SECANT)
         tangent = self.system.tangent()
         if self._pressed is not None:
             tangent = tangent - without(self._pressed, self.held)
         free = np.delete(np.arange(self.system.size), self.held)
         stiffness, mass = (dense(band)[np.ix_(free, free)] for band in (tangent, self.mass))
-        last = (len(free) - 1,) * 2
-        square = eigh(stiffness, mass, eigvals_only=True, subset_by_index=last)[0]
+        square = eigh(stiffness, mass, eigvals_only=True, subset_by_index=(place, place))[0]
         return float(np.sqrt(max(square, 0.0)))
 
     def commit(self, q: Array) -> None:

@@ -1,18 +1,18 @@
 """From a scene to its motions: meshes, states at the end of statics, the step in time."""
 
 from dataclasses import dataclass, replace
-from math import ceil, log2, sqrt
+from math import ceil, inf, log2, pi, sqrt
 
 import numpy as np
 
-from ..arrays import Array
-from ..errors import AnalysisFailed
+from ..errors import AnalysisFailed, Fault, UserError
 from ..model.assemble import Model
 from ..model.results import Results
 from ..scene import Dynamics, Foundation, Harmonic, Scene, Steps, TimeSeries
 from .analysis import factors_of, limits, rebuilt, run, solve
 from .body import body
 from .dynamics import End, Motion, integrator, started
+from .modes import halved
 from .newton import largest
 from .simulate import Simulation
 from .starts import Beginning, beginning
@@ -23,12 +23,13 @@ _MESH_SHARE = 0.5  # of the accuracy, for the mesh; the rest is for the steps in
 # Soil that remembers keeps the corners of its curves at all depths that they pass, which no mesh of
 # statics meets: below this accuracy elements are halved until their square suits it.
 _CORNERS = 1e-3
-_PARTS = 40  # of the shortest period: the first step that is tried
+_PARTS, _OWN_PARTS = 40, 20  # of the shortest period of loads, and of the foundation's longest own
 _PERIODS = 4.0  # that a trial takes
 _SERIES_STEPS = 400  # that a trial takes where nothing is periodic
 _AIM = 0.5  # of the accuracy: the error that a step is chosen for
 _LONGEST, _SHORTEST = 4.0, 1.0 / 64.0  # of the first step
 _TRIALS = 3
+_STEADY = 0.9  # of the limit of an explicit method
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +57,8 @@ def begun(scene: Scene, foundation: Foundation) -> Begun:
     largest_loads = solve(replace(still, steps=peaks(scene)), foundation)
     edges = largest_loads.model.edges
     if scene.numerics.hysteresis != "ELASTIC" and scene.numerics.elements is None:
-        edges = halved(edges, ceil(0.5 * log2(max(_CORNERS / scene.numerics.accuracy, 1.0))))
+        for _ in range(ceil(0.5 * log2(max(_CORNERS / scene.numerics.accuracy, 1.0)))):
+            edges = halved(edges)
     model = rebuilt(still, largest_loads.model, edges, 0)
     states, failure, interrupted = run(model, factors_of(scene), limits(still))
     if interrupted:
@@ -69,13 +71,6 @@ def begun(scene: Scene, foundation: Foundation) -> Begun:
     moved = [largest(q) for s in (*largest_loads.states, *states) for q in (s.lateral, s.axial)]
     moved += [largest(start.lateral), largest(start.axial)]
     return Begun(model, states[-1], start, largest_loads.results, max(moved))
-
-
-def halved(edges: Array, times: int) -> Array:
-    """Boundaries of elements that are halved so many times."""
-    for _ in range(times):
-        edges = np.sort(np.concatenate([edges, 0.5 * (edges[1:] + edges[:-1])]))
-    return edges
 
 
 def peaks(scene: Scene) -> Steps:
@@ -111,18 +106,35 @@ def simulation(
         integrator(dynamics),
         until / count,
         count,
-        _SHARE * scene.numerics.accuracy,
+        min(_SHARE * scene.numerics.accuracy, dynamics.tolerance),
         dynamics.iterations,
     )
 
 
 def step_for(scene: Scene, dynamics: Dynamics, begun: list[Begun]) -> float:
-    """The step, s: as it was given, or one whose error is within the accuracy in a trial."""
+    """The step, s: as it was given, or one whose error is within the accuracy in a trial.
+
+    Raises UserError for a step beyond the limit of an explicit method.
+    """
+    bodies = [body(scene, one.model, one.rest) for one in begun]
+    moving = [m for b in bodies for m in (b.lateral if b.sways else None, b.axial) if m is not None]
+    own = [2.0 * pi / m.slowest() for m in moving]
+    limit = min((integrator(dynamics).limit(m) for m in moving), default=inf)
     if dynamics.step is not None:
+        if dynamics.step > limit:
+            raise UserError(
+                Fault(
+                    f"METHOD={dynamics.method} is stable with steps up to {limit:.3g} s here, but "
+                    f"DT is {dynamics.step:g} s",
+                    "give a smaller DT, or an implicit method",
+                )
+            )
         return dynamics.step
     whole = dynamics.end - dynamics.start
     periods = [h.period for h in scene.harmonics]
-    first = step = min(periods) / _PARTS if periods else whole / _SERIES_STEPS
+    first = min(periods) / _PARTS if periods else whole / _SERIES_STEPS
+    first = min([first, *(period / _OWN_PARTS for period in own)])
+    first = step = min(first, _STEADY * limit)
     for _ in range(_TRIALS):
         span = _PERIODS * max(periods) if periods else _SERIES_STEPS * step
         trial = simulation(scene, dynamics, begun, step, min(span, whole))
@@ -132,5 +144,5 @@ def step_for(scene: Scene, dynamics: Dynamics, begun: list[Begun]) -> float:
         share = sqrt(_AIM * scene.numerics.accuracy / max(trial.error, 1e-12)) if fine else 0.25
         if 1.0 <= share <= 2.0:
             break
-        step = float(np.clip(share * step, _SHORTEST * first, _LONGEST * first))
+        step = float(np.clip(share * step, _SHORTEST * first, min(_LONGEST * first, limit)))
     return step

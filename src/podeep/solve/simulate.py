@@ -1,7 +1,7 @@
 """Motions in blocks of steps, beside twins with steps twice as long that tell their errors."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TypeAlias
 
 import numpy as np
@@ -10,7 +10,6 @@ from ..arrays import Array, Flags, Index
 from .dynamics import End, Motion
 from .equations import State
 from .integrators import Integrator
-from .newton import largest
 from .stage import NoBalance
 
 BLOCK = 1024  # steps
@@ -73,7 +72,7 @@ class Simulation:
 
     h: step, s; count: steps to go. share: of the expected displacement, what iterations may leave.
     every: of so many steps one is recorded. reach, apart: largest displacement so far, and between
-    a motion and its twin, m.
+    a motion and its twin, of deflection and stretch, m.
     """
 
     motions: Sequence[Motion]
@@ -86,13 +85,14 @@ class Simulation:
     every: int = 1
     ending: End = End.COMPLETE
     done: int = 0
-    apart: float = 0.0
-    reach: float = 0.0
+    apart: Array = field(default_factory=lambda: np.zeros(2))
+    reach: Array = field(default_factory=lambda: np.zeros(2))
 
     @property
     def error(self) -> float:
         """Estimated error of the displacements so far, as a share of the largest of them."""
-        return self.apart / (2.0**self.method.order - 1.0) / self.reach if self.reach else 0.0
+        size = (2.0**self.method.order - 1.0) * self.reach
+        return float(np.divide(self.apart, size, out=np.zeros(2), where=size > 0.0).max())
 
     def blocks(self, size: int = BLOCK) -> Iterator[Block]:
         """Yield block after block; `ending` tells how it ended."""
@@ -160,12 +160,11 @@ class Simulation:
 
     def _compare(self) -> None:
         """Widen the largest displacement, and the error where the twins have come as far."""
-        self.reach = max(self.reach, *(largest(m.lateral.q) for m in self.motions))
+        for motion in self.motions:
+            np.maximum(self.reach, motion.sizes(), out=self.reach)
         if self.done % 2 == 0:
             for motion, twin in zip(self.motions, self.twins, strict=bool(self.twins)):
-                self.apart = max(self.apart, largest(motion.lateral.q - twin.lateral.q))
-                if motion.axial is not None and twin.axial is not None:
-                    self.apart = max(self.apart, largest(motion.axial.q - twin.axial.q))
+                np.maximum(self.apart, motion.sizes(twin), out=self.apart)
 
 
 def _pair(motion: Motion) -> Pair:
