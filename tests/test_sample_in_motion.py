@@ -2,6 +2,7 @@
 
 import csv
 import os
+import re
 from io import StringIO
 from pathlib import Path
 
@@ -14,14 +15,21 @@ from podeep.cli.podeep import main as podeep
 from podeep.cli.solve import main
 from podeep.database.read import open_database
 
-SAMPLES = Path(__file__).parents[1] / "sample_dbs"
+ROOT = Path(__file__).parents[1]
+SAMPLES = ROOT / "sample_dbs"
+PAGE = (ROOT / "docs" / "motion.md").read_text(encoding="utf-8")
 DECK, DATABASE = (SAMPLES / f"conductor_waves.{ending}" for ending in ("deck", "dst"))
 
 
-def test_the_sample_is_what_its_deck_makes(tmp_path: Path) -> None:
+def test_the_sample_is_what_its_deck_makes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """Values to 1e-5 of the largest: they have seven digits, and a step may end its iteration
-    one turn earlier where a processor rounds otherwise. Statics to 1e-9."""
-    assert main(["run", str(DECK), "-o", str(tmp_path), "-q"]) == 0
+    one turn earlier where a processor rounds otherwise. Statics to 1e-9. The page has the report.
+    """
+    assert main(["run", str(DECK), "-o", str(tmp_path)]) == 0
+    (report,) = re.findall(r"^```text\n(Motion to .*?)^```", PAGE, re.M | re.S)
+    assert capsys.readouterr().out.replace(str(tmp_path), "out").endswith(report)
     for ending, tolerance in (("dss", 1e-9), ("dst", 1e-5)):
         name = f"conductor_waves.{ending}"
         with open_database(SAMPLES / name) as kept, open_database(tmp_path / name) as made:
