@@ -11,13 +11,14 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
+from moving_piles import swaying_pile
 from podeep import embedded, run
 from podeep.checks import warnings
 from podeep.cli.solve import main
 from podeep.deck.read import read_deck
 from podeep.errors import ExitCode
 from podeep.risks.bearing import tip_support_check
-from podeep.scene import Curve, Numerics, Section, Spudcan, Tube
+from podeep.scene import Curve, Load, Numerics, Section, Spudcan, Steps, Tube
 from risky import CLAY, LINE, OFF, OPTIONS, SHAFT, SOUND, TIP, curve, scene
 
 ROOT = Path(__file__).parents[1]
@@ -321,3 +322,21 @@ def test_any_legal_scene_is_judged_without_a_failure(pile):
     for line in lines:
         assert LINE.fullmatch(line), line
         assert not re.search(r"\b(nan|inf|None)\b", line), line
+
+
+@pytest.mark.parametrize(
+    ("still", "rule", "told"), [(5e5, 0, True), (5e5, 1, True), (5e5, 2, False), (0.0, 0, False)]
+)
+def test_soil_that_would_give_twice_is_told(still, rule, told):
+    """A static load across, and one with a history in the same direction."""
+    moving = swaying_pile()
+    names = (*moving.steps.names, "STEADY")
+    steady = Load("STEADY", 1, 10.0, (still, 0.0, 0.0), (0.0, 0.0, 0.0))
+    both = replace(
+        moving,
+        loads=(*moving.loads, steady),
+        steps=Steps(names, ((0.0, 1.0),)),
+        ground=replace(moving.ground, dynamic_rule=rule),
+    )
+    found = [w for w in warnings(both) if f"IDRE = {rule} with 500 kN across" in w]
+    assert bool(found) is told

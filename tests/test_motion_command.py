@@ -1,6 +1,7 @@
 """podeep-solve run on decks with motion: what it writes, says and returns."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -200,3 +201,19 @@ def test_an_explicit_step_beyond_its_limit_is_refused(tmp_path, capsys):
     text = deck(friction(0.9, 40.0), SWAY).replace("0 6 0.05", "0 6 0.05 METHOD=CENTRAL")
     assert run(tmp_path, text) == ExitCode.USAGE
     assert "METHOD=CENTRAL is stable with steps up to" in capsys.readouterr().err
+
+
+def test_the_reduced_model_moves_as_the_full_one(tmp_path):
+    """The sample in its first two periods: planar as it is chosen, against spatial with P-delta."""
+    sample = Path(__file__).parents[1] / "sample_dbs" / "conductor_waves.deck"
+    text = re.sub(r"\*DYNAMIC\n0 \d+", "*DYNAMIC\n0 16", sample.read_text())
+    found = []
+    for more in ("", "*MODEL, SPATIAL, PDELTA\n"):
+        assert run(tmp_path, text.replace("*EXEC", f"{more}*EXEC")) == ExitCode.DONE
+        with open_database(tmp_path / "case.dst") as database:
+            data = database.foundation("F1")
+            names = ("lateral_displacement", "lateral_force")
+            found.append([np.concatenate(data.envelope(name)[:2]) for name in names])
+    (y, p), (full_y, full_p) = found
+    assert np.abs(y - full_y).max() < 1e-3 * np.abs(full_y).max()
+    assert np.abs(p).max() == pytest.approx(np.abs(full_p).max(), rel=1e-3)

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from .deck.keywords import KEYWORDS
 from .errors import InvalidData, UserError
-from .risks import bearing, piles
+from .risks import bearing, motion, piles
 from .risks.curves import curve_risks
 from .risks.ranges import SLIPS, TUBE_SLIPS
 from .risks.risk import Risk, Value, rounded, slips
@@ -48,7 +48,7 @@ def foundation_risks(scene: Scene, foundation: Foundation) -> Iterator[Risk]:
     site = Site(scene, foundation)
     if site.spudcan:
         yield from spudcan_risks(site, site.spudcan)
-    for check in (*piles.CHECKS, *bearing.CHECKS) if site.length > 0.0 else ():
+    for check in (*piles.CHECKS, *bearing.CHECKS, *motion.CHECKS) if site.length > 0.0 else ():
         try:
             yield from check(site)
         except (UserError, InvalidData):
