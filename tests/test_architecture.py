@@ -34,10 +34,10 @@ solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.sta
 solve.bordered solve.continuation solve.path solve.together solve.prolong solve.across solve.refine
 solve.accuracy solve.analysis solve.diagnosis
 solve.equations solve.stage solve.integrators solve.drive solve.moving solve.body solve.starts
-solve.dynamics solve.simulate
+solve.dynamics solve.simulate solve.resume
 solve.eigen solve.families solve.about_state solve.modes solve.plan
 database.__init__ database.schema database.envelope database.layout database.target database.stream
-database.write database.trust database.foundation database.read
+database.trust database.restart database.write database.foundation database.read
 demand embedded capacity
 risks.__init__ risks.ranges risks.risk risks.curves risks.site risks.piles risks.bearing
 risks.motion
@@ -45,7 +45,7 @@ checks record describe_motion describe report stiffness capacity_report query ta
 soil_figure modes_report modes_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result
-motion_record run_motion run
+motion_record resume run_motion run
 study.__init__ study.settings study.chart study.measure study.chart_report study.chart_figure
 study.oscillator study.trials study.limits study.stability study.stability_report
 study.stability_figure

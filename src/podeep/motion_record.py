@@ -45,8 +45,9 @@ class Ledger:
         deflecting = _way(lateral, rows, self.body.lateral.origin)
         n = len(deflecting.q)
         if axial is None:
-            q = np.broadcast_to(self.body.rest.axial, (n, len(self.body.rest.axial)))
-            origin = q[0] if self.still is not None else np.zeros_like(q[0])
+            rest = self.body.rest.axial
+            q = np.broadcast_to(rest, (n, len(rest)))
+            origin = rest if self.still is not None else np.zeros_like(rest)
             stretching = Way(q, np.zeros_like(q), np.zeros_like(q), origin)
         else:
             assert self.body.axial is not None

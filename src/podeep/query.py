@@ -66,26 +66,32 @@ class Curves:
 
 @dataclass(frozen=True, slots=True)
 class _Places:
-    """Points between grid nodes: node above, node below (in `window`), spacing and fraction."""
+    """Points between grid nodes: node above, node below (in `nodes`), spacing and fraction."""
 
-    window: slice
+    nodes: slice | Index
     above: Index
     below: Index
     spacing: Array
     fraction: Array
 
     def linear(self, values: Array) -> Array:
-        """Values on the window's grid, shape (rows, nodes), to the points, linearly."""
+        """Values at the nodes, shape (rows, nodes), to the points, linearly."""
         return _blend(values[..., self.above], values[..., self.below], self.fraction)
 
     def hermite(self, values: Array, slopes: Array) -> Array:
         """The same by the cubic that has the given slopes at both nodes."""
         t, h = self.fraction, self.spacing
-        v0, v1 = values[..., self.above], values[..., self.below]
-        s0, s1 = slopes[..., self.above] * h, slopes[..., self.below] * h
-        return np.asarray(
-            v0 + t * t * (3.0 - 2.0 * t) * (v1 - v0) + t * (1.0 - t) * ((1.0 - t) * s0 - t * s1)
-        )
+        # In place: a long motion has millions of values, and each pass over them takes its time.
+        start, found = values[..., self.above], values[..., self.below]
+        found -= start
+        found *= t * t * (3.0 - 2.0 * t)
+        found += start
+        rise, fall = slopes[..., self.above], slopes[..., self.below]
+        rise *= t * (1.0 - t) ** 2 * h
+        fall *= t * t * (1.0 - t) * h
+        found += rise
+        found -= fall
+        return np.asarray(found)
 
 
 def spread(first: float, last: float, count: int) -> Array:
@@ -125,7 +131,7 @@ def envelope(data: "FoundationData", quantity: str, depths: Array) -> Curves:
     that of the more extreme of the two nodes: a time between them need not have been computed.
     """
     places = _places(data.depth, depths)
-    low, high, low_at, high_at = (stored[places.window] for stored in data.envelope(quantity))
+    low, high, low_at, high_at = (stored[places.nodes] for stored in data.envelope(quantity))
     values = np.stack([places.linear(low), places.linear(high)])
     when = np.stack([_governing(places, -low, low_at), _governing(places, high, high_at)])
     nothing = np.empty(0)
@@ -144,11 +150,11 @@ def _at_depths(
     places = _places(data.depth, depths)
 
     def component(suffix: str) -> Array:
-        values = data.read(quantity + suffix, rows, places.window)
+        values = data.read(quantity + suffix, rows, places.nodes)
         slope = _SLOPES.get(quantity)
         if slope is None:
             return places.linear(values)
-        return places.hermite(values, data.read(slope + suffix, rows, places.window))
+        return places.hermite(values, data.read(slope + suffix, rows, places.nodes))
 
     lateral = quantity.startswith("lateral")
     return np.stack([component(s) for s in (("_x", "_y") if data.spatial and lateral else ("",))])
@@ -180,7 +186,9 @@ def _bracket(grid: Array, points: Array) -> tuple[Index, Index, Array]:
 def _places(grid: Array, points: Array) -> _Places:
     above, below, fraction = _bracket(grid, points)
     spacing = grid[below] - grid[above]
-    first = int(above.min())
-    window = slice(first, int(below.max()) + 1)
     fraction = np.where(spacing < _JUMP, 0.0, fraction)
-    return _Places(window, above - first, below - first, spacing, fraction)
+    nodes, place = np.unique(np.stack([above, below]), return_inverse=True)
+    first, last = place.reshape(2, -1)
+    together = slice(int(nodes[0]), int(nodes[-1]) + 1)
+    close = together.stop - together.start == len(nodes)
+    return _Places(together if close else nodes, first, last, spacing, fraction)

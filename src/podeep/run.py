@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from shlex import join
 from textwrap import wrap
 from typing import Any
 
@@ -15,6 +16,7 @@ from .errors import AnalysisFailed, Fault, Interrupted, UserError
 from .files import make_folder
 from .record import Sheet, sheet
 from .report import run_report, step_table, summary
+from .resume import Options, is_of, state_in
 from .risks.bearing import tip_support_check
 from .run_motion import MotionRun, check_motion, run_motion
 from .scene import Foundation, Scene, Steps
@@ -25,6 +27,7 @@ from .solve.analysis import Solved, solve
 from .solve.diagnosis import explain
 
 _NEAR = 1e-6  # of the tip, m: elevations have less than all digits
+_BY_DEFAULT = Options()
 _BLOCK = 256  # steps that are committed to the database at once
 
 
@@ -34,7 +37,7 @@ class Run:
 
     failure: why the last steps are missing; empty if none are. risks: what was told of the deck
     before it was solved. supports: the load on supports along z against the soil's capacity.
-    motion: what came of the dynamic part, if there is one.
+    motion: what came of the dynamic part, if there is one. note: why nothing had to be done.
     """
 
     deck: Path
@@ -45,6 +48,7 @@ class Run:
     risks: tuple[str, ...] = ()
     supports: tuple[str, ...] = ()
     motion: MotionRun | None = None
+    note: str = ""
 
     def warnings(self) -> tuple[str, ...]:
         """What the user must know of results that are there."""
@@ -65,6 +69,8 @@ class Run:
 
     def text(self, verbose: bool = False) -> str:
         """The report in words."""
+        if self.note:
+            return self.note
         parts = [self.title] if self.title else []
         for one in self.solved:
             parts.append(run_report(summary(one)))
@@ -85,6 +91,7 @@ class Run:
             "supports": list(self.supports),
             "warnings": [*self.risks, *self.warnings()],
             "failure": self.failure or None,
+            "note": self.note or None,
         }
 
 
@@ -93,26 +100,37 @@ def run_deck(
     directory: Path,
     *,
     force: bool,
-    accuracy: float | None,
+    options: Options = _BY_DEFAULT,
+    resume: bool = False,
     tell: Callable[[str], None] = lambda risk: None,
     progress: Callable[[str], None] = lambda text: None,
 ) -> Run:
     """Check a deck, solve it, and write NAME.dss and, of a deck with motion, NAME.dst.
 
-    tell: takes what is risky in the deck, one by one, before anything is solved. progress: takes
-    how far a motion is.
+    resume: go on with a motion that was interrupted, by its own options; statics take moments and
+    are solved again, and written where NAME.dss is not there. tell: takes what is risky in the
+    deck, one by one, before anything is solved. progress: takes how far a motion is.
 
     Raises UserError before anything is solved where the deck is at fault or the database could
     not be written. A step without equilibrium is no error here: the steps before it are written.
     """
     deck = read_deck(path)
-    scene = deck.scene
-    if accuracy is not None:
-        scene = replace(scene, numerics=replace(scene.numerics, accuracy=accuracy))
+    scene, state = deck.scene, None
     target, moved = (directory / path.with_suffix(ending).name for ending in (".dss", ".dst"))
+    if resume:
+        check_resumes(deck)
+        state = state_in(moved, deck.text)
+        if state is None:
+            note = f"{moved} is complete: there is nothing to resume"
+            return Run(path, scene.title, (), moved, "", note=note)
+        options = Options.of(state)
+    if options.accuracy is not None:
+        scene = replace(scene, numerics=replace(scene.numerics, accuracy=options.accuracy))
+    there = resume and is_of(target, deck.text)
     if deck.solve:
         make_folder(directory)
-        check_target(target, force=force)
+        if not there:
+            check_target(target, force=force)
         if scene.dynamics is not None:
             check_target(moved, force=force)
             check_motion(scene)
@@ -129,15 +147,42 @@ def run_deck(
     failure = "\n".join(explain(s, s.failure, names) for s in solved if s.failure)
     sheets = [sheet(scene, s) for s in solved]
     interrupted = solved[-1].interrupted
-    write(target, deck, scene, sheets, failure, interrupted=interrupted, force=force)
+    if not there or interrupted:
+        write(
+            *(target, deck, scene, sheets, failure),
+            interrupted=interrupted,
+            force=force,
+            compress=options.compress,
+        )
     supports = tuple(filter(None, (tip_support_check(scene, f) for f in scene.foundations)))
     motion = None
     if scene.dynamics is not None and not failure:
+        command = f"podeep-solve run {path.stem}"
+        again = ["podeep-solve", "run", str(path), "-o", str(directory), "--resume"]
         motion = run_motion(
-            deck, scene, moved, force=force, history=f"podeep-solve run {path.stem}", tell=progress
+            deck,
+            scene,
+            moved,
+            force=force,
+            history=f"{command}\n{command} --resume" if resume else command,
+            tell=progress,
+            options=options,
+            state=state,
+            again=join([*again, "--force"] if force else again),
         )
         failure = motion.failure
     return Run(path, scene.title, solved, target, failure, risks, supports, motion)
+
+
+def check_resumes(deck: Deck) -> None:
+    """Raises UserError for a deck without motion: statics are not resumed."""
+    if not deck.solve or deck.scene.dynamics is None:
+        raise UserError(
+            Fault(
+                "there is nothing to resume: the deck has no motion (*DYNAMIC) that is solved",
+                "run it without --resume",
+            )
+        )
 
 
 def until_interrupted(scene: Scene) -> Iterator[Solved]:
@@ -170,6 +215,7 @@ def write(
     *,
     interrupted: bool,
     force: bool,
+    compress: bool = False,
 ) -> None:
     """Write the steps that all foundations have; those of an interrupted run stay a partial."""
     steps = min((s.steps for s in sheets), key=len)
@@ -182,6 +228,7 @@ def write(
         loads=scene.steps.names,
         history=f"podeep-solve run {target.stem}",
         force=force,
+        compress=compress,
         block=min(len(steps), _BLOCK),
     ) as writer:
         for first in range(0, len(steps), _BLOCK):

@@ -1,6 +1,6 @@
 """The dynamic part of a run: foundations set in motion, followed, and written as they go."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from time import monotonic
@@ -9,19 +9,24 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, Index
+from .database.stream import uninterrupted
 from .database.write import Writer
 from .deck.read import Deck
-from .errors import Fault, UserError
+from .errors import Fault, Interrupted, UserError
 from .model.moved import Moved
 from .motion_record import Ledger, ledger
+from .resume import Options
 from .scene import Dynamics, Scene
 from .solve.dynamics import End
 from .solve.plan import begun, simulation, step_for
-from .solve.simulate import Block, Simulation
+from .solve.resume import resume, state_of
+from .solve.simulate import BLOCK, Block, Simulation
 
 _RECORDS = 1000  # that a run has by default, at most
 _FINER = 0.5  # of a step whose error turned out too large
 _RESTARTS = 3
+
+_BY_DEFAULT = Options()
 
 Progress = Callable[[str], None]
 
@@ -134,25 +139,42 @@ def _largest_of(results: Moved, x: Array) -> tuple[Array, Array, Array]:
 
 
 def run_motion(
-    deck: Deck, scene: Scene, target: Path, *, force: bool, history: str, tell: Progress
+    deck: Deck,
+    scene: Scene,
+    target: Path,
+    *,
+    force: bool,
+    history: str,
+    tell: Progress,
+    options: Options = _BY_DEFAULT,
+    state: Mapping[str, Array] | None = None,
+    again: str = "",
 ) -> MotionRun:
     """Follow a scene's motion and write it as it goes.
 
-    tell: takes a line of progress. A step that the accuracy has chosen starts anew at half its size
-    where its error turns out too large. Raises AnalysisFailed where statics has no equilibrium,
-    Interrupted where the user ends it: the partial then holds what there is.
+    tell: takes a line of progress. options, state: those of a run that was interrupted, to go on
+    from there. again: the command that would go on. A step that the accuracy has chosen starts anew
+    at half its size where its error turns out too large. Raises AnalysisFailed where statics has no
+    equilibrium, Interrupted where the user ends it: the partial then holds what there is.
     """
     dynamics = scene.dynamics
     assert dynamics is not None
     tell("statics, and the step in time")
     start = [begun(scene, foundation) for foundation in scene.foundations]
-    step = step_for(scene, dynamics, start)
+    if state is None:
+        step, first = step_for(scene, dynamics, start), 0.0
+    else:
+        step, first = map(float, _part(state, "step", 2))
     whole = dynamics.end - dynamics.start
-    for restarts in range(_RESTARTS + 1):
+    for restarts in range(int(first), _RESTARTS + 1):
         one = simulation(scene, dynamics, start, step, whole)
         patient = dynamics.step is not None or restarts == _RESTARTS
         ledgers = [ledger(scene, b, m.body) for b, m in zip(start, one.motions, strict=True)]
-        with Writer(
+        chosen = {"step": np.array([step, restarts]), **options.state}
+        log = Log(one, dynamics, ledgers, chosen, tell)
+        if state is not None:
+            log.resume(state)
+        writer = Writer(
             target,
             kind="dynamic",
             title=scene.title,
@@ -161,14 +183,25 @@ def run_motion(
             loads=(),
             history=history,
             force=force,
-        ) as writer:
-            log = Log(one, dynamics, ledgers, writer, tell)
-            fine = log.follow(None if patient else scene.numerics.accuracy)
-            if not fine:
-                step *= _FINER
-                continue
-            failure = log.failure()
-            writer.finish("stopped" if failure else "complete", failure)
+            dtype=np.float64 if options.double else np.float32,
+            compress=options.compress,
+            room=one.count // log.every + 2,
+            state=state or log.state,
+            resumes=state is not None,
+        )
+        state = None
+        try:
+            with writer:
+                if not log.follow(writer, None if patient else scene.numerics.accuracy):
+                    step *= _FINER
+                    continue
+                failure = log.failure()
+                writer.finish("stopped" if failure else "complete", failure)
+        except KeyboardInterrupt:
+            if not writer.path.exists():
+                raise
+            reached = f"interrupted at {one.time:.4g} of {dynamics.end:g} s"
+            raise Interrupted(f"{reached}; go on from {writer.path} with: {again}") from None
         counted = (one.time, one.h, one.done, log.records, log.iterations, one.error)
         moving = [p for m in one.motions for p in (m.body.lateral, m.body.axial) if p is not None]
         lost = sum(problem.dissipated() for problem in moving)
@@ -176,42 +209,90 @@ def run_motion(
     raise RuntimeError("unreachable")
 
 
+def _part(state: Mapping[str, Array], name: str, count: int) -> Array:
+    """So many numbers of a run's state; UserError where it is that of another run."""
+    if name not in state or state[name].size != count:
+        raise _foreign(name)
+    return state[name]
+
+
+def _foreign(what: str) -> UserError:
+    return UserError(
+        Fault(f"the partial holds another run's state ({what})", "run again without --resume")
+    )
+
+
+def _duration(seconds: float) -> str:
+    """A time that is left, in a unit that suits it."""
+    for unit, size in (("h", 3600.0), ("min", 60.0)):
+        if seconds >= 2.0 * size:
+            return f"{seconds / size:.0f} {unit}"
+    return f"{seconds:.0f} s"
+
+
 class Log:
-    """Writes a simulation's blocks, and keeps the count."""
+    """Writes a simulation's blocks, and keeps the count.
+
+    chosen: of the run's state, what was settled before its first step.
+    """
 
     def __init__(
         self,
         one: Simulation,
         dynamics: Dynamics,
         ledgers: Sequence[Ledger],
-        writer: Writer,
+        chosen: Mapping[str, Array],
         tell: Progress,
     ) -> None:
-        self.simulation, self.ledgers, self.writer, self.tell = one, ledgers, writer, tell
+        self.simulation, self.ledgers, self.chosen, self.tell = one, ledgers, chosen, tell
         wanted = dynamics.recording or (dynamics.end - dynamics.start) / _RECORDS
+        self.end = dynamics.end
         self.every = one.every = max(round(wanted / one.h), 1)
         self.errors = [Errors(one.method.order) for _ in ledgers]
         self.records = self.iterations = 0
         self._last = np.zeros((len(ledgers), 3))
 
-    def follow(self, accuracy: float | None) -> bool:
+    @property
+    def state(self) -> dict[str, Array]:
+        """What the run goes on from, arrays by names that stay the same."""
+        counted = [
+            (*e.sizes, *e.apart, *last) for e, last in zip(self.errors, self._last, strict=True)
+        ]
+        log = np.array([self.records, self.iterations], dtype=np.float64)
+        return {**self.chosen, "log": log, "errors": np.array(counted)} | state_of(self.simulation)
+
+    def resume(self, state: Mapping[str, Array]) -> None:
+        """Go on from a state; raises UserError where it is that of another run."""
+        self.records, self.iterations = map(int, _part(state, "log", 2))
+        counted = _part(state, "errors", 9 * len(self.errors)).reshape(-1, 3, 3)
+        for errors, (sizes, apart, _) in zip(self.errors, counted, strict=True):
+            errors.sizes, errors.apart = sizes.copy(), apart.copy()
+        self._last = counted[:, 2].copy()
+        try:
+            resume(self.simulation, state)
+        except (KeyError, ValueError) as error:
+            raise _foreign(str(error)) from error
+
+    def follow(self, writer: Writer, accuracy: float | None) -> bool:
         """Write all blocks; False where the error has passed an accuracy."""
         one = self.simulation
-        begin = monotonic()
-        self._write(one.beginning(), np.zeros(1, dtype=np.intp))
-        for block in one.blocks():
+        begin, behind = monotonic(), one.done
+        if not self.records:
+            self._write(writer, one.beginning(), np.zeros(1, dtype=np.intp))
+        blocks = one.blocks(BLOCK)
+        while accuracy is None or one.error <= accuracy:
+            block = next(blocks, None)
+            if block is None:
+                self.tell("")
+                return True
             first = one.done - len(block.times)
             steps = np.arange(first + 1, one.done + 1)
             ended = one.ending is not End.COMPLETE or one.done == one.count
             rows = np.flatnonzero((steps % self.every == 0) | (ended & (steps == one.done)))
-            self._write(block, rows)
-            self.iterations += int(block.iterations.sum())
-            left = (monotonic() - begin) * (one.count - one.done) / one.done
-            self.tell(f"{one.time:.4g} s of motion, about {left:.0f} s to go")
-            if accuracy is not None and one.error > accuracy:
-                return False
-        self.tell("")
-        return True
+            self._write(writer, block, rows)
+            left = (monotonic() - begin) * (one.count - one.done) / (one.done - behind)
+            self.tell(f"{one.time:.4g} of {self.end:g} s of motion, about {_duration(left)} to go")
+        return False
 
     def failure(self) -> str:
         """Why the motion ended before its time, in words; empty if it did not."""
@@ -220,12 +301,16 @@ class Log:
             return ""
         return f"motion stops at {one.time:g} s: {one.ending.value}"
 
-    def _write(self, block: Block, rows: Index) -> None:
+    def _write(self, writer: Writer, block: Block, rows: Index) -> None:
         """Commit rows of a block; all of it counts for the envelopes."""
         values: dict[str, Array] = {}
         extremes: dict[str, Array] = {}
         count = len(rows)
         for place, (book, tracks) in enumerate(zip(self.ledgers, block.tracks, strict=True)):
+            every = book.extremes(tracks)
+            extremes |= {f"{book.name}/{name}": value for name, value in every.items()}
+            if not count:
+                continue
             of_one = book.all(tracks, rows)
             errors = self._estimates(place, block, rows)
             of_one |= dict(zip(_ESTIMATES, errors, strict=True))
@@ -234,12 +319,13 @@ class Log:
             of_one["convergence/step_size"] = block.step_size[rows]
             of_one["convergence/energy"] = block.work[rows]
             values |= {f"{book.name}/{name}": value for name, value in of_one.items()}
-            every = book.extremes(tracks)
-            extremes |= {f"{book.name}/{name}": value for name, value in every.items()}
-        self.writer.widen(block.times, extremes)
-        if count:
-            self.writer.append(block.times[rows], values)
-            self.records += count
+        self.iterations += int(block.iterations.sum())
+        self.records += count
+        with uninterrupted():  # rows and state belong together
+            writer.widen(block.times, extremes)
+            if count:
+                writer.append(block.times[rows], values)
+            writer.flush(self.state)
 
     def _estimates(self, place: int, block: Block, rows: Index) -> Array:
         """Errors of displacement, reaction and moment up to each row, (3, rows)."""

@@ -35,6 +35,9 @@ def parser() -> argparse.ArgumentParser:
     run_.add_argument("-o", dest="directory", type=Path, default=Path(), help="where to write")
     run_.add_argument("--force", action="store_true", help="replace an existing database")
     run_.add_argument("--accuracy", type=accuracy, help="relative accuracy, beats *ACCURACY")
+    run_.add_argument("--resume", action="store_true", help="go on with an interrupted motion")
+    run_.add_argument("--float64", action="store_true", help="a .dst in float64, not float32")
+    run_.add_argument("--compress", action="store_true", help="smaller databases, slower to read")
     run_.add_argument("--json", action="store_true", help="the report as JSON")
     loud = run_.add_mutually_exclusive_group()
     loud.add_argument("-q", dest="quiet", action="store_true", help="no report")
@@ -126,20 +129,31 @@ def numbers(text: str) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
 
 
 def run(options: argparse.Namespace) -> ExitCode:
-    """Solve a deck and write its static database."""
+    """Solve a deck and write its databases."""
+    from ..resume import Options
     from ..run import run_deck
 
+    asked = Options(options.accuracy, options.float64, options.compress)
+    if options.resume and asked != Options():
+        raise UserError(
+            Fault(
+                "--resume goes on by the options of the run that was interrupted",
+                "leave out --accuracy, --float64 and --compress",
+            )
+        )
     try:
         done = run_deck(
             options.deck,
             options.directory,
             force=options.force,
-            accuracy=options.accuracy,
+            options=asked,
+            resume=options.resume,
             tell=warn,
-            progress=progress,
+            progress=(lambda text: None) if options.quiet else progress,
         )
     finally:
-        progress("")
+        if not options.quiet:
+            progress("")
     for warning in done.warnings():
         warn(warning)
     if options.json:
@@ -275,7 +289,7 @@ def example(options: argparse.Namespace) -> ExitCode:
     decks = [directory / name for name in names if name.endswith(".deck")]
     written = [directory / name for name in names]
     for deck in decks:
-        done = run_deck(deck, directory, force=options.force, accuracy=None)
+        done = run_deck(deck, directory, force=options.force)
         made = (done.database, done.motion.database if done.motion else None)
         written += [path for path in made if path]
     print("\n".join(str(path) for path in written))

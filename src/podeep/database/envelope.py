@@ -7,6 +7,8 @@ import numpy.typing as npt
 
 Values = npt.NDArray[Any]
 
+_SIDES = (("min", np.min, np.argmin, np.less), ("max", np.max, np.argmax, np.greater))
+
 
 def widen(envelope: dict[str, Values], quantity: str, values: Values, axis: Values) -> None:
     """Widen the envelope of a quantity by rows of values, shape (rows, depths), rows > 0.
@@ -14,13 +16,15 @@ def widen(envelope: dict[str, Values], quantity: str, values: Values, axis: Valu
     `axis` holds their steps or times. The envelope gets `<quantity>_min`, `_max` and `_min_at`,
     `_max_at`, shape (depths,); of equal values the first counts.
     """
-    for name, argument, beyond in (("min", np.argmin, np.less), ("max", np.argmax, np.greater)):
+    for name, bounding, argument, beyond in _SIDES:
         bound, when = f"{quantity}_{name}", f"{quantity}_{name}_at"
-        row = argument(values, axis=0)
-        found = np.take_along_axis(values, row[None], axis=0)[0]
+        found = bounding(values, axis=0)
         if bound in envelope:
-            new = beyond(found, envelope[bound])
-            envelope[bound] = np.where(new, found, envelope[bound])
-            envelope[when] = np.where(new, axis[row], envelope[when])
+            new = np.flatnonzero(beyond(found, envelope[bound]))
+            envelope[bound], envelope[when] = envelope[bound].copy(), envelope[when].copy()
         else:
-            envelope[bound], envelope[when] = found, axis[row]
+            new = np.arange(len(found))
+            envelope[bound], envelope[when] = found.copy(), np.empty(len(found), axis.dtype)
+        # Where a bound is takes longer to find than how large it is, and is rarely new.
+        envelope[bound][new] = found[new]
+        envelope[when][new] = axis[argument(values[:, new], axis=0)]

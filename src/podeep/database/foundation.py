@@ -4,6 +4,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -62,22 +63,39 @@ class FoundationData:
         self,
         quantity: str,
         rows: int | slice | Sequence[int] | Index | None = None,
-        depths: slice | None = None,
+        depths: slice | Index | None = None,
     ) -> Array:
         """Values in the given rows (None: all), shape (rows, depths), or (rows,) without depths.
 
-        Any variable with a row for each step or time: `lateral_force`, `estimate/moment`.
-        Raises UserError where the file turns out to be damaged, KeyError for an unknown name and
-        IndexError for an unknown row.
+        Any variable with a row for each step or time: `lateral_force`, `estimate/moment`. depths:
+        indices that rise. Raises UserError where the file turns out to be damaged, KeyError for an
+        unknown name and IndexError for an unknown row.
         """
         wanted = np.atleast_1d(np.arange(len(self.axis))[slice(None) if rows is None else rows])
         different, place = np.unique(wanted, return_inverse=True)
         tail = self.datasets[quantity].shape[1:]
-        columns = math.prod(len(range(n)[depths or slice(None)]) for n in tail)
-        if 8 * different.size * columns > _LARGEST_READ:
+        columns = tail if depths is None else (len(np.arange(*tail)[depths]),)
+        if 8 * different.size * math.prod(columns) > _LARGEST_READ:
             raise wrong(self.path, f"{quantity} is too much to read at once", "ask for fewer rows")
-        values = self._load(quantity, (_as_slice(different), *([depths] if depths else [])))
+        at = _as_slice(different)
+        if depths is None or isinstance(depths, slice):
+            values = self._load(quantity, (at, *([depths] if depths else [])))
+        else:
+            values = self._gathered(quantity, at, different.size, depths)
         return values if np.array_equal(wanted, different) else values[place]
+
+    def _gathered(self, quantity: str, rows: slice | Index, count: int, depths: Index) -> Array:
+        """Values at some depths: those in one chunk are read at once, others not at all."""
+        chunks = self.datasets[quantity].chunks
+        width = chunks[1] if chunks else int(depths[-1]) + 1
+        cuts = np.flatnonzero(np.diff(depths // width)) + 1
+        values = np.empty((len(depths), count)).T  # what follows goes depth by depth
+        for a, b in pairwise((0, *cuts.tolist(), len(depths))):
+            window = depths[a:b]
+            first, last = int(window[0]), int(window[-1]) + 1
+            part = self._load(quantity, (rows, slice(first, last)))
+            values[:, a:b] = part if last - first == b - a else part[:, window - first]
+        return values
 
     def read_tube(
         self, igr: int, quantity: str, rows: int | slice | Sequence[int] | None = None

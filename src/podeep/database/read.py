@@ -18,6 +18,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..errors import Fault, UserError
+from . import restart
 from .foundation import FoundationData
 from .schema import (
     AXES,
@@ -57,6 +58,7 @@ class Database:
     status: Status
     stop_reason: str
     version: str
+    schema_version: str
     _file: Any
     _data: Mapping[str, FoundationData]
 
@@ -82,6 +84,14 @@ class Database:
             if sha256(deck.encode()).hexdigest() != text(self.path, data, "sha256"):
                 raise wrong(self.path, f"{DECK} does not agree with its checksum")
         return str(deck)
+
+    @cached_property
+    def state(self) -> dict[str, Array] | None:
+        """What the run would go on from, flat arrays by name; None if it has come to its end.
+
+        Raises UserError where it is damaged.
+        """
+        return restart.load(self.path, self._file)
 
     def close(self) -> None:
         self._file.close()
@@ -136,6 +146,7 @@ def _database(path: Path, file: Any) -> Database:
         status=status,
         stop_reason=text(path, file, "stop_reason"),
         version=text(path, file, "version"),
+        schema_version=text(path, file, "schema_version"),
         _file=file,
         _data={name: _foundation(path, file, name, kind, committed) for name in names},
     )

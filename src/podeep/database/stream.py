@@ -15,11 +15,17 @@ import os
 import signal
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import FrameType
+from typing import Any, NamedTuple, Self
+
+import h5py
 
 from .target import REFUSED, UNFINISHED, lock
+
+_FORMAT = ("v108", "v108")  # old enough for every netCDF, new enough to have checksums
+_CACHE = 2**18  # bytes of chunks for each variable, each written once: they would fill any cache
 
 
 class Stream(io.RawIOBase):
@@ -63,7 +69,9 @@ class Stream(io.RawIOBase):
 
     def readinto(self, buffer: memoryview) -> int:  # type: ignore[override]  # as h5py gives it
         found = b"" if self.closed else os.pread(self._descriptor, len(buffer), self._at)
-        buffer[:] = found.ljust(len(buffer), b"\0")  # room that nothing was written to
+        if len(found) < len(buffer):
+            found = found.ljust(len(buffer), b"\0")  # room that nothing was written to
+        buffer[:] = found
         if self._head is not None and self._at < len(self._head):
             held = self._head[self._at : self._at + len(buffer)]
             buffer[: len(held)] = held
@@ -132,3 +140,32 @@ def uninterrupted() -> Iterator[None]:
             signal.signal(number, handler)
     for which, frame in caught[:1]:
         handlers[signal.Signals(which)](which, frame)
+
+
+class Sink(NamedTuple):
+    """An HDF5 file that is being written, and the stream beneath it."""
+
+    file: Any  # h5py has no types
+    stream: Stream
+
+    @classmethod
+    def create(cls, path: Path) -> Self:
+        stream = Stream(path)
+        made: Stream | Self = stream
+        try:
+            with stream.checked():
+                stream.claim()
+                options = {"libver": _FORMAT, "track_order": True, "rdcc_nbytes": _CACHE}
+                made = sink = cls(h5py.File(stream, "w", **options), stream)
+        except BaseException:
+            made.close()  # HDF5 left open would end the process in a segmentation fault
+            path.unlink()
+            raise
+        return sink
+
+    @uninterrupted()
+    def close(self) -> None:
+        """Close without complaint: what there was to tell has been told."""
+        with suppress(*REFUSED), self.stream.checked():
+            self.file.close()
+        self.stream.close()

@@ -38,19 +38,22 @@ def check_target(target: Path, *, force: bool) -> None:
         raise UserError(Fault(f"{target} exists", "replace it with --force, or move it away"))
 
 
-def clear(leftover: Path) -> None:
-    """Remove what an earlier run left under this name; raises UserError if it is not ours."""
-    if not os.path.lexists(leftover):
-        return
-    if not is_ours(leftover):
+def check_leftover(leftover: Path) -> None:
+    """Raise UserError if what has this name is not ours, or if another run is writing it."""
+    if os.path.lexists(leftover) and not is_ours(leftover):
         raise UserError(
             Fault(
                 f"{leftover} is in the way: it is no readable soil database of this program",
                 "move it away",
             )
         )
+
+
+def clear(leftover: Path) -> None:
+    """Remove what an earlier run left under this name; raises UserError if it is not ours."""
+    check_leftover(leftover)
     with told(leftover):
-        leftover.unlink()
+        leftover.unlink(missing_ok=True)
 
 
 def is_ours(path: Path) -> bool:

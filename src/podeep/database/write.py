@@ -5,6 +5,8 @@ made, and nothing but values is written into it afterwards: first rows, then the
 readers may trust. When the room is used up, and at the end, everything moves to a fresh file that
 takes the place of the partial in one step: at no moment does a half-built file have that name. The
 fresh file at the end has no spare room, and is what the target becomes.
+
+A run that gives its state with the rows can be taken up again: see `restart`.
 """
 
 import os
@@ -13,7 +15,7 @@ from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Literal, NamedTuple, Self
+from typing import Any, Literal, Self
 
 import h5py
 import numpy as np
@@ -21,13 +23,15 @@ import numpy.typing as npt
 
 from .. import __version__
 from ..arrays import Array
-from ..errors import UserError
+from ..errors import Fault, UserError
+from . import restart
 from .envelope import Values, widen
-from .layout import Grid, Layout
+from .layout import Grid, Layout, copy_rows, write_rows
 from .schema import (
     COMMITTED,
     CONVENTIONS,
     DECK,
+    EXTREMES,
     MAJOR,
     MINOR,
     PARTIAL,
@@ -36,42 +40,14 @@ from .schema import (
     Kind,
     Status,
 )
-from .stream import Stream, uninterrupted
-from .target import REFUSED, check_target, clear, told
+from .stream import Sink, uninterrupted
+from .target import check_leftover, check_target, clear, told
 
 __all__ = ["Grid", "Writer", "check_target"]
 
-_FORMAT = ("v108", "v108")  # old enough for every netCDF, new enough to have checksums
-_COPIED = 4096  # rows at a time
-_GROWTH = 4  # of the room, each time that it is used up; what is not used takes no space on disk
-
-
-class _Sink(NamedTuple):
-    """An HDF5 file that is being written, and the stream beneath it."""
-
-    file: Any  # h5py has no types
-    stream: Stream
-
-    @classmethod
-    def create(cls, path: Path) -> Self:
-        stream = Stream(path)
-        made: Stream | Self = stream
-        try:
-            with stream.checked():
-                stream.claim()
-                made = sink = cls(h5py.File(stream, "w", libver=_FORMAT, track_order=True), stream)
-        except BaseException:
-            made.close()  # HDF5 left open would end the process in a segmentation fault
-            path.unlink()
-            raise
-        return sink
-
-    @uninterrupted()
-    def close(self) -> None:
-        """Close without complaint: what there was to tell has been told."""
-        with suppress(*REFUSED), self.stream.checked():
-            self.file.close()
-        self.stream.close()
+_ROWS, _BOUNDS = "rows", "bounds/"  # names in a state that are the writer's own
+_STATE_GROWTH = 2  # of the room of a state, some parts of which may grow
+_GROWTH = 4  # of the room, each time that it is used up
 
 
 class Writer:
@@ -79,9 +55,11 @@ class Writer:
 
     loads: names of the loads of `load_factor`, none in a dynamic database. dtype: of results;
     float64 in a static, float32 in a dynamic database unless given. compress: gzip what is large.
-    block: rows that are kept in memory before they are written together, and the least room that
-    is allocated ahead. Entering raises UserError for a target that may not be written, and every
-    method does where the disk fails.
+    block: rows that are kept in memory before they are written together. room: rows that are
+    expected, for which room is allocated ahead; what is not used takes no space on disk. state: of
+    the run before its first row, if it can be taken up again; with `resumes` it is the one that the
+    partial holds, and the rows of that time are kept. Entering raises UserError for a target that
+    may not be written, and every method does where the disk fails.
     """
 
     def __init__(
@@ -98,10 +76,14 @@ class Writer:
         dtype: npt.DTypeLike | None = None,
         compress: bool = False,
         block: int = 1024,
+        room: int = 0,
+        state: restart.State | None = None,
+        resumes: bool = False,
     ) -> None:
         self.path = target.with_name(target.name + PARTIAL)
         self._fresh = target.with_name(target.name + PARTIAL + ".new")
         self._target, self._force, self._block = target, force, block
+        self._expected = max(room, block)
         self._deck = deck_text
         self._head = {
             "Conventions": CONVENTIONS,
@@ -116,24 +98,76 @@ class Writer:
         self._layout = Layout(kind, tuple(grids), tuple(loads), dtype, compress)
         self._axes = {grid.name: f"{grid.name}/{self._layout.axis}" for grid in grids}
         self._wanted = self._layout.rows.keys() - set(self._axes.values())
-        self._sink: _Sink
+        self._sink: Sink
         self._is_open = False
         self._room = self._committed = self._waiting = 0
         self._pending: list[dict[str, Values]] = []
         self._envelope: dict[str, Values] = {}
         self._last = -np.inf
+        self._state, self._resumes = state, resumes
+        self._state_room = 0
+        self._data: dict[str, Any] = {}
 
     def __enter__(self) -> Self:
         check_target(self._target, force=self._force)
-        clear(self.path)
+        check_leftover(self.path)
         clear(self._fresh)
-        self._move(self._block, "running")
+        if not self._resumes:
+            self._state = self._whole(self._state)
+        if self._state is not None:
+            self._state_room = _STATE_GROWTH * restart.size(self._state)
+        try:
+            if self._resumes:
+                self._take_up()
+            else:
+                self._move(self._expected, "running")
+        except BaseException:
+            if self._is_open:
+                self._sink.close()
+            raise
         return self
+
+    def _whole(self, state: restart.State | None) -> restart.State | None:
+        """A state of the run, and what this writer adds to it."""
+        if state is None:
+            return None
+        paths = [f"{g}/envelope/{q}_{e}" for g in self._axes for q in QUANTITIES for e in EXTREMES]
+        bounds = {f"{_BOUNDS}{path}": self._envelope.get(path, np.empty(0)) for path in paths}
+        return {**state, _ROWS: np.array(self._committed + self._waiting), **bounds}
+
+    def _take_up(self) -> None:
+        """Go on from the rows and the state of the partial; what is in it beyond them is left."""
+        assert self._state is not None
+        rows = int(self._state[_ROWS][0])
+        with told(self.path), h5py.File(self.path, "r", locking=False) as source:
+            for path, place in self._layout.rows.items():
+                data = source.get(path)
+                fits = isinstance(data, h5py.Dataset) and data.shape[1:] == place.tail
+                if not fits or data.dtype != place.dtype or not 0 <= rows <= data.shape[0]:
+                    raise UserError(
+                        Fault(
+                            f"{self.path} does not hold what this run would have written: {path} "
+                            "differs",
+                            "run the deck again without --resume",
+                        )
+                    )
+            self._committed = rows
+            self._envelope = {
+                name.removeprefix(_BOUNDS): values
+                for name, values in self._state.items()
+                if name.startswith(_BOUNDS) and values.size
+            }
+            if rows:
+                self._last = float(source[next(iter(self._axes.values()))][rows - 1])
+            self._move(max(self._expected, rows), "running", source=source)
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, _: TracebackType | None
     ) -> None:
         if not self._is_open:
+            return
+        if not self._committed + self._waiting:
+            self._sink.close()  # as it is, it opens, and says that it holds no rows
             return
         match error:
             case None:
@@ -174,7 +208,7 @@ class Writer:
         self._pending.append(rows)
         self._waiting += len(at)
         self._last = at[-1]
-        if self._waiting >= self._block:
+        if self._waiting >= self._block and self._state is None:
             self.flush()
 
     def widen(self, axis: Array, values: Mapping[str, Array]) -> None:
@@ -188,30 +222,49 @@ class Writer:
             widen(self._envelope, f"{name}/envelope/{quantity}", rows, axis)
 
     @uninterrupted()
-    def flush(self) -> None:
-        """Commit what is still in memory."""
-        if not self._waiting:
+    def flush(self, state: restart.State | None = None) -> None:
+        """Commit what is still in memory; state: of the run after it, if it has one."""
+        if not self._waiting and state is None:
             return
-        rows = {path: np.concatenate([p[path] for p in self._pending]) for path in self._pending[0]}
-        for name, axis in self._axes.items():
-            for quantity in QUANTITIES:
-                path = f"{name}/envelope/{quantity}"
-                widen(self._envelope, path, rows[f"{name}/{quantity}"], rows[axis])
+        rows = self._gathered()
+        state = self._whole(state)
+        if state is not None and list(state) != list(self._state or ()):
+            raise ValueError(f"another state than before: {sorted(state)}")
         first, end = self._committed, self._committed + self._waiting
-        if end > self._room:
-            self._move(max(_GROWTH * self._room, end), "running")
+        need = restart.size(state) if state else 0
+        if end > self._room or need > self._state_room:
+            self._state_room = max(self._state_room, _STATE_GROWTH * need)
+            room = self._room if end <= self._room else max(_GROWTH * self._room, end)
+            self._move(room, "running")
         file, stream = self._sink
         with told(self.path):
             with stream.checked():
                 for path, values in rows.items():
-                    file[path][first:end] = values
-                for path, values in self._envelope.items():
-                    file[path][...] = values
+                    write_rows(self._data[path], first, values)
+                if state is not None:
+                    restart.put(file, state)
                 file.flush()
             with stream.checked():
                 file[COMMITTED][()] = end
+                if state is not None:
+                    restart.confirm(file)
                 file.flush()
         self._pending, self._waiting, self._committed = [], 0, end
+        self._state = state if state is not None else self._state
+
+    def _gathered(self) -> dict[str, Values]:
+        """The rows that wait, together; the envelopes are widened by them."""
+        if not self._waiting:
+            return {}
+        first, *more = self._pending
+        rows = (
+            {p: np.concatenate([first[p], *(m[p] for m in more)]) for p in first} if more else first
+        )
+        for name, axis in self._axes.items():
+            for quantity in QUANTITIES:
+                path = f"{name}/envelope/{quantity}"
+                widen(self._envelope, path, rows[f"{name}/{quantity}"], rows[axis])
+        return rows
 
     def finish(self, status: Literal["complete", "stopped"], stop_reason: str = "") -> None:
         """Commit everything and put the database under the target's name."""
@@ -230,14 +283,20 @@ class Writer:
         self._move(self._committed, status, reason)
 
     @uninterrupted()
-    def _move(self, room: int, status: Status, reason: str = "") -> None:
-        """Put a fresh file with this room, and all that is committed, in place of the partial."""
+    def _move(self, room: int, status: Status, reason: str = "", source: Any = None) -> None:
+        """Put a fresh file with this room, and all that is committed, in place of the partial.
+
+        source: the file that holds it, the one that is being written unless given.
+        """
         running = status == "running"
         with told(self.path):
-            fresh = _Sink.create(self._fresh)
+            fresh = Sink.create(self._fresh)
             try:
                 with fresh.stream.checked():
                     self._build(fresh.file, room, status, reason)
+                    if self._committed:
+                        self._copy(source or self._sink.file, fresh.file)
+                    fresh.file.flush()
                     if not running:
                         fresh.file.close()
                     fresh.stream.publish()
@@ -250,6 +309,7 @@ class Writer:
         if self._is_open:
             self._sink.close()
         self._sink, self._room, self._is_open = fresh, room, running
+        self._data = {path: fresh.file[path] for path in self._layout.rows} if running else {}
         if not running:
             fresh.close()
 
@@ -258,10 +318,12 @@ class Writer:
         deck = file.create_dataset(DECK, data=self._deck, dtype=h5py.string_dtype())
         deck.attrs["sha256"] = sha256(self._deck.encode()).hexdigest()
         self._layout.build(file, room, ahead=status == "running", envelope=self._envelope)
-        for path in self._layout.rows:
-            for first in range(0, self._committed, _COPIED):
-                rows = slice(first, min(first + _COPIED, self._committed))
-                file[path][rows] = self._sink.file[path][rows]
         if status == "running":
             file[COMMITTED][()] = self._committed
-        file.flush()
+        if self._state is not None and status in ("running", "interrupted"):
+            restart.build(file, self._state, self._state_room)
+
+    def _copy(self, source: Any, file: Any) -> None:
+        """Copy what is committed to another file."""
+        for path in self._layout.rows:
+            copy_rows(source[path], file[path], self._committed)

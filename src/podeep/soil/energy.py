@@ -12,7 +12,7 @@ from .memory import Backbone
 from .polyline import Polyline
 from .reaction import Reaction, Term, plain_lines
 
-_PANELS, _ORDER = 48, 4
+_PANELS, _ORDER = 128, 4
 _GRID = np.geomspace(1e-9, 1e2, 441)  # displacements at which curves are looked at, m
 _SLACK = 1e-9  # of a force: what rounding may take
 

@@ -29,6 +29,7 @@ _SERIES_STEPS = 400  # that a trial takes where nothing is periodic
 _AIM = 0.5  # of the accuracy: the error that a step is chosen for
 _LONGEST, _SHORTEST = 4.0, 1.0 / 64.0  # of the first step
 _TRIALS = 3
+_NEAR = 0.6  # of the step to aim for: a trial so near it needs no other
 _STEADY = 0.9  # of the limit of an explicit method
 
 
@@ -118,23 +119,16 @@ def step_for(scene: Scene, dynamics: Dynamics, begun: list[Begun]) -> float:
     """
     bodies = [body(scene, one.model, one.rest) for one in begun]
     moving = [m for b in bodies for m in (b.lateral if b.sways else None, b.axial) if m is not None]
-    own = [2.0 * pi / m.slowest() for m in moving]
     limit = min((integrator(dynamics).limit(m) for m in moving), default=inf)
     if dynamics.step is not None:
-        if dynamics.step > limit:
-            raise UserError(
-                Fault(
-                    f"METHOD={dynamics.method} is stable with steps up to {limit:.3g} s here, but "
-                    f"DT is {dynamics.step:g} s",
-                    "give a smaller DT, or an implicit method",
-                )
-            )
+        check_step(dynamics, dynamics.step, limit)
         return dynamics.step
     whole = dynamics.end - dynamics.start
     periods = [h.period for h in scene.harmonics]
     first = min(periods) / _PARTS if periods else whole / _SERIES_STEPS
-    first = min([first, *(period / _OWN_PARTS for period in own)])
+    first = min([first, *(2.0 * pi / m.slowest() / _OWN_PARTS for m in moving)])
     first = step = min(first, _STEADY * limit)
+    longest = min(_LONGEST * first, _STEADY * limit)
     for _ in range(_TRIALS):
         span = _PERIODS * max(periods) if periods else _SERIES_STEPS * step
         trial = simulation(scene, dynamics, begun, step, min(span, whole))
@@ -142,7 +136,19 @@ def step_for(scene: Scene, dynamics: Dynamics, begun: list[Begun]) -> float:
             pass
         fine = trial.ending is not End.NO_BALANCE
         share = sqrt(_AIM * scene.numerics.accuracy / max(trial.error, 1e-12)) if fine else 0.25
-        if 1.0 <= share <= 2.0:
-            break
-        step = float(np.clip(share * step, _SHORTEST * first, min(_LONGEST * first, limit)))
+        if _NEAR <= share <= 1.0 / _NEAR:
+            return step * min(share, 1.0)
+        step = float(np.clip(share * step, _SHORTEST * first, longest))
     return step
+
+
+def check_step(dynamics: Dynamics, step: float, limit: float) -> None:
+    """Raises UserError for a step beyond the limit of an explicit method, s."""
+    if step > limit:
+        raise UserError(
+            Fault(
+                f"METHOD={dynamics.method} is stable with steps up to {limit:.3g} s here, but "
+                f"DT is {step:g} s",
+                "give a smaller DT, or an implicit method",
+            )
+        )

@@ -95,12 +95,16 @@ class Simulation:
         return float(np.divide(self.apart, size, out=np.zeros(2), where=size > 0.0).max())
 
     def blocks(self, size: int = BLOCK) -> Iterator[Block]:
-        """Yield block after block; `ending` tells how it ended."""
+        """Yield block after block; `ending` tells how it ended.
+
+        They end at the same steps wherever they begin. With the beginning as a first row, all rows
+        fill a block.
+        """
         while self.done < self.count and self.ending is End.COMPLETE:
             every = [*self.motions, *self.twins]
             states: list[list[Pair]] = [[] for _ in every]
             told: list[tuple[float, bool, int, float, float, float]] = []
-            for _ in range(min(size, self.count - self.done)):
+            for _ in range(min(size - (self.done + 1) % size, self.count - self.done)):
                 spent = sum(m.effort.iterations for m in self.motions)
                 if not self._step():
                     break
