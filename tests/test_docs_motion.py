@@ -58,6 +58,7 @@ def test_numbers_in_prose() -> None:
         f"{WORDS[plan._OWN_PARTS]} of the foundation's own",
         f"Up to {WORDS[plan._TRIALS]} trials, over {WORDS[int(plan._PERIODS)]} of the longest "
         f"periods or {plan._SERIES_STEPS} steps, scale it to an error of half the accuracy",
+        f"within 1/{1 / plan._SHORTEST:g} and {plan._LONGEST:g} times the first one",
         f"half the step, {WORDS[run_motion._RESTARTS]} times at most",
         rf"up to $2^{{{dynamics.HALVINGS}}}$ parts",
         f"below {100 * plan._SHARE:g} % of the accuracy",
