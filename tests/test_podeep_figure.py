@@ -100,6 +100,13 @@ def test_an_envelope_is_a_band_between_its_two_curves(data):
     assert [line.get_label() for line in axes.lines[:2]] == ["minimum", "maximum"]
 
 
+def test_an_evolution_over_time_is_wide(data):
+    curves = step_evolution(data, "lateral_force", Z)
+    width, height = draw(curves, DYNAMIC).get_size_inches()
+    assert width > 1.5 * height
+    assert len(set(draw(curves, ORIGIN).get_size_inches())) == 1
+
+
 def test_nothing_is_drawn_outside_the_picture(data):
     curves = snapshot(data, "lateral_force", Z, range(10))
     long = replace(DYNAMIC, database=f"{'long_name_' * 12}$_{{.dst")

@@ -3,6 +3,7 @@
 `python tests/test_podeep_transcripts.py` writes the transcripts anew; read the difference.
 """
 
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -14,6 +15,7 @@ import pytest
 from builders import dynamic_database, static_database
 
 TRANSCRIPTS = Path(__file__).parent / "transcripts"
+REAL_RUN = Path(__file__).parents[1] / "sample_dbs" / "conductor_waves.dst"
 
 COMMAND = [sys.executable, "-c", "from podeep.cli.podeep import main; raise SystemExit(main())"]
 
@@ -26,6 +28,9 @@ SESSIONS = {
     "single_step": ["single.dss", "--no-plot"],
     "spatial": ["spatial.dss", "--no-plot"],
     "csv": ["run", "--csv", "--no-plot"],
+    "motion_evolution": ["conductor_waves"],
+    "motion_snapshots": ["conductor_waves"],
+    "motion_envelope": ["conductor_waves.dst"],
     "refused_depth": ["run.dss"],
     "refused_sign": ["run.dss"],
     "refused_time": ["run.dst"],
@@ -40,6 +45,7 @@ def databases(folder: Path) -> None:
     static_database(folder / "several.dss", foundations=("F1", "F2"))
     static_database(folder / "single.dss", steps=1)
     static_database(folder / "spatial.dss", spatial=True)
+    shutil.copy(REAL_RUN, folder)
 
 
 def transcript(name: str, folder: Path) -> str:

@@ -261,13 +261,17 @@ def test_the_example_runs_from_the_package(
 ) -> None:
     folder = tmp_path / "first"
     assert main(["example", str(folder)]) == 0
-    assert "jacket_pile.dss" in capsys.readouterr().out
-    for name in ("jacket_pile.deck", "jacket_pile.answers"):
-        assert (folder / name).read_bytes() == (SAMPLES / name).read_bytes()
+    told = capsys.readouterr().out
+    assert all(f"{name}\n" in told for name in ("jacket_pile.dss", "conductor_waves.dst"))
+    assert told.count("next: podeep ") == 2
+    for case in ("jacket_pile", "conductor_waves"):
+        for name in (f"{case}.deck", f"{case}.answers"):
+            assert (folder / name).read_bytes() == (SAMPLES / name).read_bytes()
     assert main(["example", str(folder)]) == ExitCode.USAGE
     monkeypatch.chdir(folder)
-    assert podeep(["jacket_pile", "--answers", "jacket_pile.answers", "--no-plot"]) == 0
-    assert "Lateral force" in capsys.readouterr().out
+    for case, last in (("jacket_pile", "Snapshot"), ("conductor_waves", "Envelope")):
+        assert podeep([case, "--answers", f"{case}.answers", "--no-plot"]) == 0
+        assert f"Analysis    {last}" in capsys.readouterr().out
 
 
 def test_an_accuracy_that_is_not_reached_is_told(

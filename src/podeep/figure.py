@@ -35,7 +35,8 @@ def save(curves: Curves, origin: Origin, folder: Path, case: str) -> Path:
 
 def draw(curves: Curves, origin: Origin) -> "Figure":
     """The result as a matplotlib figure."""
-    figure = new_figure(7.0, 7.0)
+    over_time = curves.kind == "step_evolution" and origin.axis == "time"
+    figure = new_figure(9.0, 5.5) if over_time else new_figure(7.0, 7.0)
     axes = figure.add_subplot()
     plain_axes(axes)
     if curves.kind == "step_evolution":

@@ -97,7 +97,7 @@ def parser() -> argparse.ArgumentParser:
     keywords_.add_argument("name", nargs="?")
     keywords_.set_defaults(command=keywords)
 
-    example_ = commands.add_parser("example", help="write a sample deck, its database, answers")
+    example_ = commands.add_parser("example", help="write sample decks, their databases, answers")
     example_.add_argument("directory", type=Path)
     example_.add_argument("--force", action="store_true", help="replace existing files")
     example_.set_defaults(command=example)
@@ -272,7 +272,7 @@ def keywords(options: argparse.Namespace) -> ExitCode:
 
 
 def example(options: argparse.Namespace) -> ExitCode:
-    """Write the sample deck and answers, then the database that the deck makes."""
+    """Write the sample decks and answers, then the databases that the decks make."""
     from ..run import run_deck
 
     directory: Path = options.directory
@@ -287,9 +287,13 @@ def example(options: argparse.Namespace) -> ExitCode:
             (directory / source.name).write_bytes(source.read_bytes())
     except OSError as error:
         raise UserError(f"cannot write to {directory}: {error.strerror}") from error
-    deck = directory / next(name for name in names if name.endswith(".deck"))
-    done = run_deck(deck, directory, force=options.force)
-    written = [*(directory / name for name in names), done.database]
+    decks = [directory / name for name in names if name.endswith(".deck")]
+    written = [directory / name for name in names]
+    for deck in decks:
+        done = run_deck(deck, directory, force=options.force)
+        made = (done.database, done.motion.database if done.motion else None)
+        written += [path for path in made if path]
     print("\n".join(str(path) for path in written))
-    print(f"next: podeep {deck.with_suffix('')} --answers {deck.with_suffix('.answers')}")
+    for deck in decks:
+        print(f"next: podeep {deck.with_suffix('')} --answers {deck.with_suffix('.answers')}")
     return ExitCode.DONE

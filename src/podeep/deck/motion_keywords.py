@@ -18,13 +18,21 @@ HARMONIC = Keyword(
                 _NAME,
                 Column("PERIOD", "period", "s", POSITIVE, "period"),
                 Column("PHASE", "phase at t = 0", "deg", key="phase"),
-                Column("RAMP", "time over which it grows", "s", NOT_NEGATIVE, "ramp", default=0.0),
+                Column(
+                    "RAMP",
+                    "time over which it grows, by half a cosine's wave",
+                    "s",
+                    NOT_NEGATIVE,
+                    "ramp",
+                    default=0.0,
+                ),
             ),
         ),
     ),
     "*HARMONIC\nSTORM 12.5 90 25",
-    "The factor is sin(2 pi t / PERIOD + PHASE). A name has one history at most, and those that "
-    "share it follow the same.",
+    "The factor is sin(2 pi t / PERIOD + PHASE), for RAMP seconds from TINI of *DYNAMIC on times "
+    "(1 - cos(pi (t - TINI) / RAMP)) / 2, half a wave of a cosine from 0 to 1. A name has one "
+    "history at most, and those that share it follow the same.",
 )
 
 TIMESERIES = Keyword(
