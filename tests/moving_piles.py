@@ -93,7 +93,7 @@ def head_of(
     """Times and displacements of the head, the start among them."""
     times, head = [motion.lateral.time], [motion.lateral.q[0]]
     for _ in range(steps):
-        motion.step(method, h, share, 60)
+        motion.step(method, h, motion.lateral.time + h, share, 60)
         times.append(motion.lateral.time)
         head.append(motion.lateral.q[0])
     return np.array(times), np.array(head)

@@ -59,12 +59,12 @@ def test_numbers_in_prose() -> None:
         f"Up to {WORDS[plan._TRIALS]} trials, over {WORDS[int(plan._PERIODS)]} of the longest "
         f"periods or {plan._SERIES_STEPS} steps, scale it to an error of half the accuracy",
         f"within 1/{1 / plan._SHORTEST:g} and {plan._LONGEST:g} times the first one",
-        f"half the step, {WORDS[run_motion._RESTARTS]} times at most",
+        f"half the step, {WORDS[run_motion.RESTARTS]} times at most",
         rf"up to $2^{{{dynamics.HALVINGS}}}$ parts",
         f"below {100 * plan._SHARE:g} % of the accuracy",
         f"$(TFIN - TINI)/{run_motion._RECORDS}$",
     )
-    assert (plan._AIM, run_motion._FINER, plan._MESH_SHARE) == (0.5, 0.5, 0.5)
+    assert (plan._AIM, run_motion.FINER, plan._MESH_SHARE) == (0.5, 0.5, 0.5)
 
 
 def test_the_ramp_is_half_a_wave_of_a_cosine() -> None:

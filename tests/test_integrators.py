@@ -130,3 +130,15 @@ def test_suction_of_a_power_of_velocity_from_rest() -> None:
         states, _ = history(METHODS[name], equations, np.zeros(1), np.zeros(1), 0.05, 60, 1e-9)
         terminal = (800.0 / alpha) ** (1.0 / n)
         assert states[-1].velocity[0] == pytest.approx(terminal, rel=0.1), name
+
+
+@pytest.mark.parametrize(
+    ("gamma", "beta", "order"), [(0.5, 0.25, 2), (0.6, 0.31, 1), (1.0, 0.5, 1)]
+)
+def test_newmark_with_numerical_damping_is_of_order_1(
+    gamma: float, beta: float, order: int
+) -> None:
+    method, true = Weighted(gamma, beta), true_end()
+    errors = [np.abs(np.array(end_of(method, n)) - true).max() for n in (400, 800)]
+    assert method.order == order
+    assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.15)

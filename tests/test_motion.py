@@ -138,7 +138,7 @@ def test_energy_is_balanced(hysteresis: str) -> None:
     bending = dense(system.linear.reshape((system.width, system.size), order="F"))
     for _ in range(400):
         before, force = motion.lateral, soil(motion.lateral.q)
-        motion.step(Weighted(), 0.02, 1e-9, 60)
+        motion.step(Weighted(), 0.02, motion.lateral.time + 0.02, 1e-9, 60)
         after = motion.lateral
         moved = after.q - before.q
         felt = system.displacement(moved)[:, 0]

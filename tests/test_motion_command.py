@@ -217,3 +217,12 @@ def test_the_reduced_model_moves_as_the_full_one(tmp_path):
     (y, p), (full_y, full_p) = found
     assert np.abs(y - full_y).max() < 1e-3 * np.abs(full_y).max()
     assert np.abs(p).max() == pytest.approx(np.abs(full_p).max(), rel=1e-3)
+
+
+def test_records_fall_on_round_times_whatever_the_step(tmp_path):
+    """A step that the accuracy chooses divides the recording interval, and times do not drift."""
+    text = deck(friction(0.9, 40.0), SWAY).replace("0 6 0.05", "0 6")
+    assert run(tmp_path, text.replace("*EXEC", "*DTREC\n0.4\n*EXEC")) == ExitCode.DONE
+    with open_database(tmp_path / "case.dst") as database:
+        times = database.foundation("F1").axis
+    assert times.tolist() == pytest.approx((0.4 * np.arange(16)).tolist(), abs=1e-12)

@@ -95,7 +95,8 @@ def ours(setting: Setting, motion: Motion) -> Array:
     """Displacements of the head after every step."""
     method, head = Weighted(), []
     for _ in range(round(END / setting.step)):
-        motion.step(method, setting.step, setting.still, 30)
+        end = motion.lateral.time + setting.step
+        motion.step(method, setting.step, end, setting.still, 30)
         head.append(motion.lateral.q[0])
     return np.array(head)
 

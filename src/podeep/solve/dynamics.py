@@ -70,8 +70,8 @@ class Motion:
     work: float = 0.0
     force: float = 0.0
 
-    def step(self, method: Integrator, h: float, share: float, iterations: int) -> None:
-        """Go h seconds on, in halves where there is no equilibrium otherwise.
+    def step(self, method: Integrator, h: float, end: float, share: float, iterations: int) -> None:
+        """Go h seconds on, to the time `end`, in halves where there is no equilibrium otherwise.
 
         share: of the reach, what an iteration may leave. Raises NoBalance, at a state before.
         """
@@ -88,6 +88,8 @@ class Motion:
                     raise
                 parts, done = 2 * parts, 2 * done
                 self.part = h / parts
+        self.lateral = replace(self.lateral, time=end)  # sums of steps would drift
+        self.axial = replace(self.axial, time=end) if self.axial is not None else None
 
     def _go(self, method: Integrator, h: float, patience: Patience) -> None:
         body, axial = self.body, self.axial

@@ -8,7 +8,6 @@ times weighs the forces there.
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from math import sqrt
-from typing import ClassVar
 
 import numpy as np
 
@@ -18,9 +17,12 @@ from .stage import Effort, NoBalance, Patience, balanced
 
 
 class Integrator(ABC):
-    """Takes equations of motion a step further; `order` is that of its error."""
+    """Takes equations of motion a step further."""
 
-    order: ClassVar[int] = 2
+    @property
+    def order(self) -> int:
+        """Of its error in the step."""
+        return 2
 
     @abstractmethod
     def step(
@@ -95,6 +97,11 @@ class Weighted(Integrator):
     beta: float = 0.25
     mass_lag: float = 0.0  # am
     force_lag: float = 0.0  # af
+
+    @property
+    def order(self) -> int:
+        second = 0.5 - self.mass_lag + self.force_lag
+        return 2 if abs(self.gamma - second) < 1e-12 else 1
 
     @classmethod
     def hht(cls, alpha: float) -> "Weighted":

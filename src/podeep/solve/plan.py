@@ -1,7 +1,7 @@
 """From a scene to its motions: meshes, states at the end of statics, the step in time."""
 
 from dataclasses import dataclass, replace
-from math import ceil, inf, log2, pi, sqrt
+from math import ceil, inf, log2, pi
 
 import numpy as np
 
@@ -102,7 +102,7 @@ def simulation(
 
     Without twins its errors are not known.
     """
-    count = max(2 * ceil(0.5 * until / step * (1.0 - 1e-12)), 2)
+    count = steps_in(until, step, dynamics.recording)
 
     def motions() -> list[Motion]:
         return [
@@ -114,11 +114,22 @@ def simulation(
         motions(),
         motions() if twins else (),
         integrator(dynamics),
+        dynamics.start,
         until / count,
         count,
         min(_SHARE * scene.numerics.accuracy, dynamics.tolerance),
         dynamics.iterations,
     )
+
+
+def steps_in(until: float, step: float, recording: float | None) -> int:
+    """An even number of steps of at most `step` s; they meet records where these meet the end."""
+    records = until / recording if recording else 0.0
+    if records and abs(records - round(records)) < 1e-9 * records:
+        each = ceil(recording / step * (1.0 - 1e-12)) if recording else 1
+        each += each * round(records) % 2
+        return each * round(records)
+    return max(2 * ceil(0.5 * until / step * (1.0 - 1e-12)), 2)
 
 
 def step_for(scene: Scene, dynamics: Dynamics, begun: list[Begun]) -> float:
@@ -144,7 +155,8 @@ def step_for(scene: Scene, dynamics: Dynamics, begun: list[Begun]) -> float:
         for _ in trial.blocks():
             pass
         fine = trial.ending is not End.NO_BALANCE
-        share = sqrt(_AIM * scene.numerics.accuracy / max(trial.error, 1e-12)) if fine else 0.25
+        share = _AIM * scene.numerics.accuracy / max(trial.error, 1e-12)
+        share = share ** (1.0 / trial.method.order) if fine else 0.25
         if _NEAR <= share <= 1.0 / _NEAR:
             return step * min(share, 1.0)
         step = float(np.clip(share * step, _SHORTEST * first, longest))

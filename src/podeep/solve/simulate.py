@@ -70,14 +70,15 @@ class Block:
 class Simulation:
     """All foundations on their way, and their twins; without these errors are not known.
 
-    h: step, s; count: steps to go. share: of the expected displacement, what iterations may leave.
-    every: of so many steps one is recorded. reach, apart: largest displacement so far, and between
-    a motion and its twin, of deflection and stretch, m.
+    start: time at which they begin, s; h: step, s; count: steps to go. share: of the expected
+    displacement, what iterations may leave. every: of so many steps one is recorded. reach, apart:
+    largest displacement so far, and between a motion and its twin, of deflection and stretch, m.
     """
 
     motions: Sequence[Motion]
     twins: Sequence[Motion]
     method: Integrator
+    start: float
     h: float
     count: int
     share: float
@@ -148,12 +149,13 @@ class Simulation:
     def _step(self) -> bool:
         """One step of all; False where one has no equilibrium."""
         try:
+            end = self.start + (self.done + 1) * self.h
             for motion in self.motions:
-                motion.step(self.method, self.h, self.share, self.iterations)
+                motion.step(self.method, self.h, end, self.share, self.iterations)
             self.done += 1
             if self.done % 2 == 0:
                 for twin in self.twins:
-                    twin.step(self.method, 2.0 * self.h, self.share, self.iterations)
+                    twin.step(self.method, 2.0 * self.h, end, self.share, self.iterations)
         except NoBalance:
             self.ending = End.NO_BALANCE
             return False

@@ -54,7 +54,8 @@ class Base:
 
         def steps() -> None:
             for _ in range(one.count):
-                motion.step(one.method, one.h, one.share, one.iterations)
+                end = motion.lateral.time + one.h
+                motion.step(one.method, one.h, end, one.share, one.iterations)
 
         return cpu_time(steps)
 
