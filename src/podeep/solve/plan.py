@@ -20,9 +20,10 @@ from .statics import State
 
 _SHARE = 0.05  # of the accuracy: what the iteration of a step may leave
 _MESH_SHARE = 0.5  # of the accuracy, for the mesh; the rest is for the steps in time
-# Soil that remembers keeps the corners of its curves at all depths that they pass, which no mesh of
-# statics meets: below this accuracy elements are halved until their square suits it.
-_CORNERS = 1e-3
+# In motion the corners of curves, and where the tube stands still for a moment, pass along the tube:
+# no mesh of statics meets them. Below these accuracies elements are halved until their square suits
+# what is asked. Soil that remembers keeps its corners at all depths.
+_CORNERS, _CORNERS_REMEMBERED = 3e-4, 1e-3
 _PARTS, _OWN_PARTS = 40, 20  # of the shortest period of loads, and of the foundation's longest own
 _PERIODS = 4.0  # that a trial takes
 _SERIES_STEPS = 400  # that a trial takes where nothing is periodic
@@ -57,8 +58,10 @@ def begun(scene: Scene, foundation: Foundation) -> Begun:
     still = replace(scene, numerics=replace(scene.numerics, accuracy=accuracy, follow_path=False))
     largest_loads = solve(replace(still, steps=peaks(scene)), foundation)
     edges = largest_loads.model.edges
-    if scene.numerics.hysteresis != "ELASTIC" and scene.numerics.elements is None:
-        for _ in range(ceil(0.5 * log2(max(_CORNERS / scene.numerics.accuracy, 1.0)))):
+    if scene.numerics.elements is None:
+        elastic = scene.numerics.hysteresis == "ELASTIC"
+        corners = _CORNERS if elastic else _CORNERS_REMEMBERED
+        for _ in range(ceil(0.5 * log2(max(corners / scene.numerics.accuracy, 1.0)))):
             edges = halved(edges)
     model = rebuilt(still, largest_loads.model, edges, 0)
     states, failure, interrupted = run(model, factors_of(scene), limits(still))
