@@ -20,7 +20,7 @@ from .statics import State
 
 _SHARE = 0.05  # of the accuracy: what the iteration of a step may leave
 _MESH_SHARE = 0.5  # of the accuracy, for the mesh; the rest is for the steps in time
-# In motion the corners of curves, and where the tube stands still for a moment, pass along the tube:
+# In motion the corners of curves, and places where the tube stands still, pass along the tube:
 # no mesh of statics meets them. Below these accuracies elements are halved until their square suits
 # what is asked. Soil that remembers keeps its corners at all depths.
 _CORNERS, _CORNERS_REMEMBERED = 3e-4, 1e-3
