@@ -14,6 +14,8 @@ from .database.write import Writer
 from .deck.read import Deck
 from .errors import Fault, Interrupted, UserError
 from .model.moved import Moved
+from .model.needs import needs
+from .model.remember import check_plane
 from .motion_record import Ledger, ledger
 from .resume import Options
 from .scene import Dynamics, Scene
@@ -89,6 +91,9 @@ def check_motion(scene: Scene) -> None:
                 "leave IOPTDT out, and DT too: the step then follows from *ACCURACY",
             )
         )
+    for foundation in scene.foundations:
+        planes = needs(scene, foundation).components
+        check_plane(planes, scene.numerics.hysteresis, foundation.name)
     names = [h.name for h in scene.harmonics] + [h.name for h in scene.series]
     driven = [name for name in names if name in moved]
     if dynamics is not None and dynamics.method == "ROS2" and driven:

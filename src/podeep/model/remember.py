@@ -59,7 +59,17 @@ def remembered(system: System, hysteresis: Hysteresis, name: str) -> Memory | No
     """
     if hysteresis == "ELASTIC":
         return None
-    if system.components == 2:
+    check_plane(system.components, hysteresis, name)
+    try:
+        parts = [(memory_of(p.reaction, hysteresis), len(p.x)) for p in system.points]
+    except InvalidData as error:
+        raise UserError(Fault(f"{name}: {error.message}", error.remedy)) from error
+    return Together(parts) if len(parts) != 1 else parts[0][0]
+
+
+def check_plane(components: int, hysteresis: Hysteresis, name: str) -> None:
+    """Raises UserError for soil that would have to remember motion in two planes."""
+    if components == 2 and hysteresis != "ELASTIC":
         raise UserError(
             Fault(
                 f"{name}: HYSTERESIS={hysteresis} follows motion in one plane, but loads or "
@@ -67,8 +77,3 @@ def remembered(system: System, hysteresis: Hysteresis, name: str) -> Memory | No
                 "give all loads of the foundation one plane, or *MODEL HYSTERESIS=ELASTIC",
             )
         )
-    try:
-        parts = [(memory_of(p.reaction, hysteresis), len(p.x)) for p in system.points]
-    except InvalidData as error:
-        raise UserError(Fault(f"{name}: {error.message}", error.remedy)) from error
-    return Together(parts) if len(parts) != 1 else parts[0][0]
