@@ -14,7 +14,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import shaken
-from podeep import run_motion
+from podeep import motion_log
 from podeep.database.read import open_database
 from podeep.run import run_deck
 
@@ -58,7 +58,7 @@ def killed(deck: Path, folder: Path, chance: random.Random, longest: float) -> i
 
 
 def main(place: Path, kills: int, seed: int) -> None:
-    run_motion.BLOCK = BLOCK
+    motion_log.BLOCK = BLOCK
     deck = shaken.deck(place, end=END)
     (place / "whole").mkdir()
     (place / "cut").mkdir()

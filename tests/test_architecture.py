@@ -45,7 +45,7 @@ checks record describe_motion describe report stiffness capacity_report query ta
 soil_figure modes_report modes_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result
-motion_record resume run_motion run
+motion_record resume motion_log run_motion run
 study.__init__ study.settings study.chart study.measure study.chart_report study.chart_figure
 study.oscillator study.trials study.limits study.stability study.stability_report
 study.stability_figure

@@ -6,7 +6,7 @@ from math import pi
 import pytest
 
 from manual import DOCS
-from podeep import run_motion
+from podeep import motion_log, run_motion
 from podeep.deck.read import read_deck
 from podeep.motion import METHODS, Harmonic
 from podeep.solve import dynamics, plan
@@ -62,7 +62,7 @@ def test_numbers_in_prose() -> None:
         f"half the step, {WORDS[run_motion.RESTARTS]} times at most",
         rf"up to $2^{{{dynamics.HALVINGS}}}$ parts",
         f"below {100 * plan._SHARE:g} % of the accuracy",
-        f"$(TFIN - TINI)/{run_motion._RECORDS}$",
+        f"$(TFIN - TINI)/{motion_log.RECORDS}$",
     )
     assert (plan._AIM, run_motion.FINER, plan._MESH_SHARE) == (0.5, 0.5, 0.5)
 

@@ -13,7 +13,7 @@ import pytest
 
 import killed_runs
 import shaken
-from podeep import run_motion
+from podeep import motion_log, run_motion
 from podeep.cli.solve import main
 from podeep.database.read import open_database
 from podeep.errors import ExitCode, Interrupted, UserError
@@ -26,7 +26,7 @@ HERE = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "OMP_NUM_THREADS"
 
 @pytest.fixture(autouse=True)
 def short_blocks(monkeypatch):
-    monkeypatch.setattr(run_motion, "BLOCK", 16)
+    monkeypatch.setattr(motion_log, "BLOCK", 16)
 
 
 def interrupted(deck: Path, folder: Path, after: int, **options: object) -> Path:

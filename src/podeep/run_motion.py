@@ -1,36 +1,28 @@
 """The dynamic part of a run: foundations set in motion, followed, and written as they go."""
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from time import monotonic
 from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Index
-from .database.stream import uninterrupted
+from .arrays import Array
 from .database.write import Writer
 from .deck.read import Deck
 from .errors import Fault, Interrupted, UserError
-from .model.moved import Moved
 from .model.needs import needs
 from .model.remember import check_plane
-from .motion_record import Ledger, ledger
+from .motion_log import Log, Progress, part_of
+from .motion_record import ledger
 from .resume import Options
-from .scene import Dynamics, Scene
-from .solve.dynamics import End
+from .scene import Scene
 from .solve.plan import begun, simulation, step_for
-from .solve.resume import resume, state_of
-from .solve.simulate import BLOCK, Block, Simulation
 
-_RECORDS = 1000  # that a run has by default, at most
 FINER = 0.5  # of a step whose error turned out too large
 RESTARTS = 3
 
 _BY_DEFAULT = Options()
-
-Progress = Callable[[str], None]
 
 
 @dataclass(frozen=True)
@@ -106,43 +98,6 @@ def check_motion(scene: Scene) -> None:
         )
 
 
-@dataclass(slots=True)
-class Errors:
-    """Estimated errors of a foundation so far.
-
-    sizes: largest displacement, reaction and moment. apart: largest distance of the displacements
-    from those of the twin, and the twin's largest reaction and moment.
-    """
-
-    order: int
-    sizes: Array = field(default_factory=lambda: np.zeros(3))
-    apart: Array = field(default_factory=lambda: np.zeros(3))
-
-    def widen(self, ours: Moved, twin: Moved, x: Array) -> Array:
-        """Errors of displacement, reaction and moment up to each row, shape (3, rows)."""
-        sizes, apart = np.zeros((2, 3, len(ours.lateral)))
-        pairs = zip(_largest_of(ours, x), _largest_of(twin, x), strict=True)
-        for kind, (one, other) in enumerate(pairs):
-            sizes[kind], apart[kind] = _sizes(one), _sizes(one - other if kind == 0 else other)
-        sizes = np.maximum.accumulate(np.maximum(sizes, self.sizes[:, None]), axis=1)
-        apart = np.maximum.accumulate(np.maximum(apart, self.apart[:, None]), axis=1)
-        self.sizes, self.apart = sizes[:, -1], apart[:, -1]
-        apart = np.concatenate([apart[:1], np.abs(apart[1:] - sizes[1:])])
-        scale = 2.0**self.order - 1.0
-        return np.divide(apart, scale * sizes, out=np.zeros_like(apart), where=sizes > 0.0)
-
-
-def _sizes(values: Array) -> Array:
-    """Largest magnitude in each row."""
-    return np.asarray(np.abs(values).reshape(len(values), -1).max(axis=1, initial=0.0))
-
-
-def _largest_of(results: Moved, x: Array) -> tuple[Array, Array, Array]:
-    """Deflection, reaction and moment of all tubes at depths, each (rows, ...)."""
-    moment = results.of_all(lambda at, tube: results.shear_and_moment(at, tube)[1], x)
-    return results.deflection(x), results.lateral_reaction(x[x >= 0.0]), moment
-
-
 def run_motion(
     deck: Deck,
     scene: Scene,
@@ -169,7 +124,7 @@ def run_motion(
     if state is None:
         step, first = step_for(scene, dynamics, start), 0.0
     else:
-        step, first = map(float, _part(state, "step", 2))
+        step, first = map(float, part_of(state, "step", 2))
     whole = dynamics.end - dynamics.start
     for restarts in range(int(first), RESTARTS + 1):
         one = simulation(scene, dynamics, start, step, whole)
@@ -212,139 +167,3 @@ def run_motion(
         lost = sum(problem.dissipated() for problem in moving)
         return MotionRun(target, *counted, scene.numerics.accuracy, lost, failure)
     raise RuntimeError("unreachable")
-
-
-def _part(state: Mapping[str, Array], name: str, count: int) -> Array:
-    """So many numbers of a run's state; UserError where it is that of another run."""
-    if name not in state or state[name].size != count:
-        raise _foreign(name)
-    return state[name]
-
-
-def _foreign(what: str) -> UserError:
-    return UserError(
-        Fault(f"the partial holds another run's state ({what})", "run again without --resume")
-    )
-
-
-def _duration(seconds: float) -> str:
-    """A time that is left, in a unit that suits it."""
-    for unit, size in (("h", 3600.0), ("min", 60.0)):
-        if seconds >= 2.0 * size:
-            return f"{seconds / size:.0f} {unit}"
-    return f"{seconds:.0f} s"
-
-
-class Log:
-    """Writes a simulation's blocks, and keeps the count.
-
-    chosen: of the run's state, what was settled before its first step.
-    """
-
-    def __init__(
-        self,
-        one: Simulation,
-        dynamics: Dynamics,
-        ledgers: Sequence[Ledger],
-        chosen: Mapping[str, Array],
-        tell: Progress,
-    ) -> None:
-        self.simulation, self.ledgers, self.chosen, self.tell = one, ledgers, chosen, tell
-        wanted = dynamics.recording or (dynamics.end - dynamics.start) / _RECORDS
-        self.end = dynamics.end
-        self.every = one.every = max(round(wanted / one.h), 1)
-        self.errors = [Errors(one.method.order) for _ in ledgers]
-        self.records = self.iterations = 0
-        self._last = np.zeros((len(ledgers), 3))
-
-    @property
-    def state(self) -> dict[str, Array]:
-        """What the run goes on from, arrays by names that stay the same."""
-        counted = [
-            (*e.sizes, *e.apart, *last) for e, last in zip(self.errors, self._last, strict=True)
-        ]
-        log = np.array([self.records, self.iterations], dtype=np.float64)
-        return {**self.chosen, "log": log, "errors": np.array(counted)} | state_of(self.simulation)
-
-    def resume(self, state: Mapping[str, Array]) -> None:
-        """Go on from a state; raises UserError where it is that of another run."""
-        self.records, self.iterations = map(int, _part(state, "log", 2))
-        counted = _part(state, "errors", 9 * len(self.errors)).reshape(-1, 3, 3)
-        for errors, (sizes, apart, _) in zip(self.errors, counted, strict=True):
-            errors.sizes, errors.apart = sizes.copy(), apart.copy()
-        self._last = counted[:, 2].copy()
-        try:
-            resume(self.simulation, state)
-        except (KeyError, ValueError) as error:
-            raise _foreign(str(error)) from error
-
-    def follow(self, writer: Writer, accuracy: float | None) -> bool:
-        """Write all blocks; False where the error has passed an accuracy."""
-        one = self.simulation
-        begin, behind = monotonic(), one.done
-        if not self.records:
-            self._write(writer, one.beginning(), np.zeros(1, dtype=np.intp))
-        blocks = one.blocks(BLOCK)
-        while accuracy is None or one.error <= accuracy:
-            block = next(blocks, None)
-            if block is None:
-                self.tell("")
-                return True
-            first = one.done - len(block.times)
-            steps = np.arange(first + 1, one.done + 1)
-            ended = one.ending is not End.COMPLETE or one.done == one.count
-            rows = np.flatnonzero((steps % self.every == 0) | (ended & (steps == one.done)))
-            self._write(writer, block, rows)
-            left = (monotonic() - begin) * (one.count - one.done) / (one.done - behind)
-            self.tell(f"{one.time:.4g} of {self.end:g} s of motion, about {_duration(left)} to go")
-        return False
-
-    def failure(self) -> str:
-        """Why the motion ended before its time, in words; empty if it did not."""
-        one = self.simulation
-        if one.ending is End.COMPLETE:
-            return ""
-        return f"motion stops at {one.time:g} s: {one.ending.value}"
-
-    def _write(self, writer: Writer, block: Block, rows: Index) -> None:
-        """Commit rows of a block; all of it counts for the envelopes."""
-        values: dict[str, Array] = {}
-        extremes: dict[str, Array] = {}
-        count = len(rows)
-        for place, (book, tracks) in enumerate(zip(self.ledgers, block.tracks, strict=True)):
-            every = book.extremes(tracks)
-            extremes |= {f"{book.name}/{name}": value for name, value in every.items()}
-            if not count:
-                continue
-            of_one = book.all(tracks, rows)
-            errors = self._estimates(place, block, rows)
-            of_one |= dict(zip(_ESTIMATES, errors, strict=True))
-            of_one["convergence/iterations"] = block.iterations[rows].astype(float)
-            of_one["convergence/residual"] = block.residual[rows]
-            of_one["convergence/step_size"] = block.step_size[rows]
-            of_one["convergence/energy"] = block.work[rows]
-            values |= {f"{book.name}/{name}": value for name, value in of_one.items()}
-        self.iterations += int(block.iterations.sum())
-        self.records += count
-        with uninterrupted():  # rows and state belong together
-            writer.widen(block.times, extremes)
-            if count:
-                writer.append(block.times[rows], values)
-            writer.flush(self.state)
-
-    def _estimates(self, place: int, block: Block, rows: Index) -> Array:
-        """Errors of displacement, reaction and moment up to each row, (3, rows)."""
-        found = np.repeat(self._last[place][:, None], len(rows), axis=1)
-        both = np.flatnonzero(block.together[rows])
-        if block.twins and len(both):
-            book = self.ledgers[place]
-            ours = book.results(block.tracks[place], rows[both])
-            twin = book.results(block.twins[place], rows[both])
-            errors = self.errors[place].widen(ours, twin, book.at.grid.depth)
-            found[:, both] = errors
-            found = np.maximum.accumulate(found, axis=1)
-            self._last[place] = found[:, -1]
-        return found
-
-
-_ESTIMATES = ("estimate/displacement", "estimate/reaction", "estimate/moment")
