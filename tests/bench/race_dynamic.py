@@ -178,10 +178,10 @@ OURS = [
     for still in (3e-4, 1e-4)
 ]
 THEIRS = [
-    Setting(n, 0, 1.0 / rate, still, dense)
-    for n in (56, 80)
-    for rate in (62.5, 80)
-    for still, dense in ((1e-2, 9.0), (1e-3, 10.0), (1e-4, 9.0))
+    Setting(80, 0, 1.0 / rate, still, dense)
+    for rate in (80, 100)
+    for still in (1e-2, 1e-3)
+    for dense in (10.0, 11.0, 12.0)
 ]
 
 
