@@ -11,7 +11,7 @@ from moving_piles import swaying_pile
 from podeep.deck.read import read_deck
 from podeep.errors import AnalysisFailed
 from podeep.motion import TimeSeries
-from podeep.scene import Scene
+from podeep.scene import Displacement, Scene
 from podeep.study import motion_measure
 from podeep.study.motion_chart import TENTH, MotionChart, MotionErrors
 from podeep.study.motion_measure import charted_motion, unsuited
@@ -183,16 +183,9 @@ def test_what_a_method_cannot_follow_is_told():
     scene = swaying_pile()
     assert unsuited(scene, "ROS2") == ""
     name = scene.steps.names[0]
-    driven = replace(scene, loads=(), displacements=(_Imposed(name),))  # type: ignore[arg-type]
+    driven = replace(scene, loads=(), displacements=(Displacement(name, 1, 10.0, "X", 0.1),))
     assert "takes no imposed motion" in unsuited(driven, "ROS2")
     assert unsuited(driven, "BATHE") == ""
-
-
-class _Imposed:
-    """A displacement of which the name alone matters."""
-
-    def __init__(self, name: str) -> None:
-        self.name = name
 
 
 def test_where_there_is_no_time_it_is_told():
