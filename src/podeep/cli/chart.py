@@ -2,10 +2,20 @@
 
 import argparse
 import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
 
 from ..errors import ExitCode, Fault, UserError
 from ..files import make_folder
 from ..scene import Foundation, Scene
+
+if TYPE_CHECKING:
+    from ..study.chart import Chart
+    from ..study.motion_chart import MotionChart
+    from ..study.stability import StabilityMap
+
+T = TypeVar("T")
 
 
 def chart(options: argparse.Namespace) -> ExitCode:
@@ -23,18 +33,16 @@ def chart(options: argparse.Namespace) -> ExitCode:
     foundation = foundation_of(scene, options.foundation)
     if scene.dynamics is not None and not options.statics:
         return _motion(scene, foundation, options)
-    folder = None if options.directory is None else make_folder(options.directory)
-    try:
-        found = chart_of(scene, foundation, quick=options.quick, tell=progress)
-    finally:
-        progress("")
-    sys.stdout.write(chart_csv(found) if options.csv else chart_report(found) + "\n")
-    if folder is not None:
+
+    def save(found: "Chart", folder: Path) -> Path:
         from ..study.chart_figure import save_chart
 
-        picture = save_chart(found, folder, options.deck.stem)
-        print(f"written: {picture}", file=sys.stderr if options.csv else sys.stdout)
-    return ExitCode.DONE
+        return save_chart(found, folder, options.deck.stem)
+
+    def make() -> "Chart":
+        return chart_of(scene, foundation, quick=options.quick, tell=progress)
+
+    return _shown(options, make, chart_csv, chart_report, save)
 
 
 def stability(options: argparse.Namespace) -> ExitCode:
@@ -44,18 +52,16 @@ def stability(options: argparse.Namespace) -> ExitCode:
 
     if options.deck is not None or options.foundation is not None:
         raise UserError(Fault("--stability is of no deck", "give it alone"))
-    folder = None if options.directory is None else make_folder(options.directory)
-    try:
-        found = stability_map(progress, quick=options.quick)
-    finally:
-        progress("")
-    sys.stdout.write(stability_csv(found) if options.csv else stability_report(found) + "\n")
-    if folder is not None:
+
+    def save(found: "StabilityMap", folder: Path) -> Path:
         from ..study.stability_figure import save_stability
 
-        picture = save_stability(found, folder)
-        print(f"written: {picture}", file=sys.stderr if options.csv else sys.stdout)
-    return ExitCode.DONE
+        return save_stability(found, folder)
+
+    def make() -> "StabilityMap":
+        return stability_map(progress, quick=options.quick)
+
+    return _shown(options, make, stability_csv, stability_report, save)
 
 
 def _motion(scene: Scene, foundation: Foundation, options: argparse.Namespace) -> ExitCode:
@@ -63,16 +69,33 @@ def _motion(scene: Scene, foundation: Foundation, options: argparse.Namespace) -
     from ..study.motion_measure import motion_chart
     from ..study.motion_report import motion_csv, motion_report
 
-    folder = None if options.directory is None else make_folder(options.directory)
-    try:
-        found = motion_chart(scene, foundation, quick=options.quick, tell=progress)
-    finally:
-        progress("")
-    sys.stdout.write(motion_csv(found) if options.csv else motion_report(found) + "\n")
-    if folder is not None:
+    def save(found: "MotionChart", folder: Path) -> Path:
         from ..study.motion_figure import save_motion_chart
 
-        picture = save_motion_chart(found, folder, options.deck.stem)
+        return save_motion_chart(found, folder, options.deck.stem)
+
+    def make() -> "MotionChart":
+        return motion_chart(scene, foundation, quick=options.quick, tell=progress)
+
+    return _shown(options, make, motion_csv, motion_report, save)
+
+
+def _shown(
+    options: argparse.Namespace,
+    make: Callable[[], T],
+    as_csv: Callable[[T], str],
+    as_text: Callable[[T], str],
+    save: Callable[[T, Path], Path],
+) -> ExitCode:
+    """Make something, show it as a table or CSV, and draw it where a folder is given."""
+    folder = None if options.directory is None else make_folder(options.directory)
+    try:
+        found = make()
+    finally:
+        progress("")
+    sys.stdout.write(as_csv(found) if options.csv else as_text(found) + "\n")
+    if folder is not None:
+        picture = save(found, folder)
         print(f"written: {picture}", file=sys.stderr if options.csv else sys.stdout)
     return ExitCode.DONE
 
