@@ -98,7 +98,7 @@ class Log:
         self.simulation, self.ledgers, self.chosen, self.tell = one, ledgers, chosen, tell
         wanted = dynamics.recording or (dynamics.end - dynamics.start) / RECORDS
         self.end = dynamics.end
-        self.every = one.every = max(round(wanted / one.h), 1)
+        one.every = max(round(wanted / one.longest), 1)
         self.errors = [Errors(one.method.order) for _ in ledgers]
         self.records = self.iterations = 0
         self._last = np.zeros((len(ledgers), 3))
@@ -127,21 +127,17 @@ class Log:
     def follow(self, writer: Writer, accuracy: float | None) -> bool:
         """Write all blocks; False where the error has passed an accuracy."""
         one = self.simulation
-        begin, behind = monotonic(), one.done
+        begin, behind = monotonic(), one.time
         if not self.records:
-            self._write(writer, one.beginning(), np.zeros(1, dtype=np.intp))
+            self._write(writer, one.beginning())
         blocks = one.blocks(BLOCK)
         while accuracy is None or one.error <= accuracy:
             block = next(blocks, None)
             if block is None:
                 self.tell("")
                 return True
-            first = one.done - len(block.times)
-            steps = np.arange(first + 1, one.done + 1)
-            ended = one.ending is not End.COMPLETE or one.done == one.count
-            rows = np.flatnonzero((steps % self.every == 0) | (ended & (steps == one.done)))
-            self._write(writer, block, rows)
-            left = (monotonic() - begin) * (one.count - one.done) / (one.done - behind)
+            self._write(writer, block)
+            left = (monotonic() - begin) * (self.end - one.time) / (one.time - behind)
             self.tell(f"{one.time:.4g} of {self.end:g} s of motion, about {_duration(left)} to go")
         return False
 
@@ -152,8 +148,9 @@ class Log:
             return ""
         return f"motion stops at {one.time:g} s: {one.ending.value}"
 
-    def _write(self, writer: Writer, block: Block, rows: Index) -> None:
-        """Commit rows of a block; all of it counts for the envelopes."""
+    def _write(self, writer: Writer, block: Block) -> None:
+        """Commit what is to be recorded of a block; all of it counts for the envelopes."""
+        rows = np.flatnonzero(block.recorded)
         values: dict[str, Array] = {}
         extremes: dict[str, Array] = {}
         count = len(rows)

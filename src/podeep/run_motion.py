@@ -145,7 +145,7 @@ def run_motion(
             force=force,
             dtype=np.float64 if options.double else np.float32,
             compress=options.compress,
-            room=one.count // log.every + 2,
+            room=one.records,
             state=state or log.state,
             resumes=state is not None,
         )

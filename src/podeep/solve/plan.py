@@ -155,6 +155,7 @@ def step_for(scene: Scene, dynamics: Dynamics, begun: list[Begun]) -> float:
     for _ in range(_TRIALS):
         span = _PERIODS * max(periods) if periods else _SERIES_STEPS * step
         trial = simulation(scene, dynamics, begun, step, min(span, whole))
+        trial.every = trial.count
         for _ in trial.blocks():
             pass
         fine = trial.ending is not End.NO_BALANCE

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -49,21 +49,53 @@ Tracks: TypeAlias = tuple[Track, Track | None]
 class Block:
     """Some steps of all foundations in motion.
 
-    times: s, (steps,). tracks: of each foundation, deflection and stretch; None: that is at rest.
-    twins: the same of the twins, where they were last; none without twins. together: steps at whose
-    end the twins are there too. iterations: of all in each step; step_size: the smallest part of it
-    that was taken at once; work: of the loads since the start, J; residual: largest force out of
-    balance over the largest force, in the steps that are to be recorded.
+    times: s, (steps,). together: steps at whose end the twins are there too. recorded: those that
+    are to be kept. iterations: of all in each step; step_size: the smallest part of the longest
+    step that was taken at once; work: of the loads since the start, J; residual: largest force out
+    of balance over the largest force, in the steps that are recorded. tracks: of each foundation,
+    deflection and stretch; None: that is at rest. twins: the same of the twins, where they were
+    last; none without twins.
     """
 
     times: Array
     together: Flags
+    recorded: Flags
     iterations: Index
     step_size: Array
     work: Array
     residual: Array
     tracks: tuple[Tracks, ...]
     twins: tuple[Tracks, ...]
+
+
+class Told(NamedTuple):
+    """What is told of a step; see `Block`."""
+
+    time: float
+    together: bool
+    recorded: bool
+    iterations: int
+    step_size: float
+    work: float
+    residual: float
+
+
+@dataclass(slots=True)
+class Rows:
+    """Steps on their way into a block: where every motion was, and what is told of each."""
+
+    states: list[list[Pair]] = field(default_factory=list)
+    told: list[Told] = field(default_factory=list)
+
+    def keep_last(self, residual: float) -> None:
+        """Record the last step: there is none after it."""
+        if self.told:
+            self.told[-1] = self.told[-1]._replace(recorded=True, residual=residual)
+
+    def block(self, foundations: int) -> Block:
+        tracks = tuple(map(_tracks, zip(*self.states, strict=True)))
+        a, b, c, d, e, f, g = map(np.array, zip(*self.told, strict=True))
+        return Block(a, b, c, d, e, f, g, tracks[:foundations], tracks[foundations:])
 
 
 @dataclass(slots=True)
@@ -95,56 +127,78 @@ class Simulation:
         size = (2.0**self.method.order - 1.0) * self.reach
         return float(np.divide(self.apart, size, out=np.zeros(2), where=size > 0.0).max())
 
+    @property
+    def time(self) -> float:
+        """Where the motions are, s."""
+        return self.motions[0].lateral.time
+
+    @property
+    def finished(self) -> bool:
+        """Whether the whole time was followed."""
+        return self.done == self.count
+
+    @property
+    def records(self) -> int:
+        """Most rows that are recorded, with that of the beginning."""
+        return self.count // self.every + 2
+
+    @property
+    def longest(self) -> float:
+        """The longest step, s."""
+        return self.h
+
+    @property
+    def shortest(self) -> float:
+        """The shortest step so far, s."""
+        return self.h
+
     def blocks(self, size: int = BLOCK) -> Iterator[Block]:
         """Yield block after block; `ending` tells how it ended.
 
         They end at the same steps wherever they begin. With the beginning as a first row, all rows
         fill a block.
         """
-        while self.done < self.count and self.ending is End.COMPLETE:
-            every = [*self.motions, *self.twins]
-            states: list[list[Pair]] = [[] for _ in every]
-            told: list[tuple[float, bool, int, float, float, float]] = []
-            for _ in range(min(size - (self.done + 1) % size, self.count - self.done)):
-                spent = sum(m.effort.iterations for m in self.motions)
-                if not self._step():
-                    break
-                for kept, motion in zip(states, every, strict=True):
-                    kept.append(_pair(motion))
-                spent = sum(m.effort.iterations for m in self.motions) - spent
-                part = min(m.part for m in self.motions) / self.h
-                work = sum(m.work for m in self.motions)
-                told.append((self.time, self.done % 2 == 0, spent, part, work, self._residual()))
-                if self.ending is not End.COMPLETE:
-                    break
-            if told:
-                tracks = tuple(map(_tracks, states))
-                n = len(self.motions)
-                a, b, c, d, e, f = map(np.array, zip(*told, strict=True))
-                yield Block(a, b, c, d, e, f, tracks[:n], tracks[n:])
+        while not self.finished and self.ending is End.COMPLETE:
+            rows, room = Rows(), size - (self.done + 1) % size
+            while len(rows.told) < room and self._advance(rows):
+                pass
+            if rows.told:
+                yield rows.block(len(self.motions))
 
     def beginning(self) -> Block:
         """The state before the first step, as a block of one."""
-        every = [*self.motions, *self.twins]
-        tracks = tuple(_tracks([_pair(m)]) for m in every)
-        n = len(self.motions)
-        times, none = np.array([self.time]), np.zeros(1, dtype=np.intp)
-        there = np.ones(1, dtype=bool)
-        residual = np.array([self._residual()])
-        return Block(
-            *(times, there, none, np.ones(1), np.zeros(1), residual), tracks[:n], tracks[n:]
-        )
+        rows = Rows()
+        self._note(rows, 0, recorded=True)
+        return rows.block(len(self.motions))
 
-    def _residual(self) -> float:
-        """Largest force out of balance where a step is recorded, 0 elsewhere."""
-        if self.done % self.every and self.done != self.count:
-            return 0.0
+    def _advance(self, rows: Rows) -> bool:
+        """Go a step further; whether there is more to do."""
+        spent = self._spent()
+        if not self._step():
+            rows.keep_last(self._imbalance())
+            return False
+        self._note(rows, self._spent() - spent, recorded=self._recorded())
+        return self.ending is End.COMPLETE and not self.finished
+
+    def _spent(self) -> int:
+        return sum(m.effort.iterations for m in self.motions)
+
+    def _recorded(self) -> bool:
+        """Whether the step that was done last is to be kept."""
+        return self.done % self.every == 0 or self.finished or self.ending is not End.COMPLETE
+
+    def _note(self, rows: Rows, spent: int, *, recorded: bool) -> None:
+        """Put down where all are, after as many iterations as were spent on this step."""
+        rows.states.append([_pair(m) for m in (*self.motions, *self.twins)])
+        part = min(self.h, *(m.part for m in self.motions)) / self.longest
+        work = sum(m.work for m in self.motions)
+        residual = self._imbalance() if recorded else 0.0
+        together = self.done % 2 == 0
+        rows.told.append(Told(self.time, together, recorded, spent, part, work, residual))
+
+    def _imbalance(self) -> float:
+        """Largest force out of balance over the largest force, where all are."""
         return max(motion.imbalance() for motion in self.motions)
-
-    @property
-    def time(self) -> float:
-        """Where the motions are, s."""
-        return self.motions[0].lateral.time
 
     def _step(self) -> bool:
         """One step of all; False where one has no equilibrium."""
@@ -160,8 +214,6 @@ class Simulation:
             self.ending = End.NO_BALANCE
             return False
         self._compare()
-        if any(motion.lost() for motion in self.motions):
-            self.ending = End.LOST
         return True
 
     def _compare(self) -> None:
@@ -171,6 +223,8 @@ class Simulation:
         if self.done % 2 == 0:
             for motion, twin in zip(self.motions, self.twins, strict=bool(self.twins)):
                 np.maximum(self.apart, motion.sizes(twin), out=self.apart)
+        if any(motion.lost() for motion in self.motions):
+            self.ending = End.LOST
 
 
 def _pair(motion: Motion) -> Pair:
