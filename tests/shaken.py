@@ -34,6 +34,8 @@ SWAY 1.3 0 0.5
 0.01 0.1 2.0
 *DYNAMIC{method}
 0 {end}{step}
+*DYNIMP
+{dynimp}
 *DTREC
 {record}
 *ACCURACY
@@ -52,6 +54,7 @@ def deck(
     step: float | None = STEP,
     record: float = STEP,
     accuracy: float = 1e-2,
+    adaptive: bool = False,
 ) -> Path:
     """The deck, in a folder. method: of *DYNAMIC, the program's own unless given."""
     folder.mkdir(exist_ok=True)
@@ -63,6 +66,7 @@ def deck(
         across=across,
         step="" if step is None else f" {step}",
         record=record,
+        dynimp="30 0.5 0.25 1" if adaptive else "30",
         accuracy=accuracy,
     )
     path.write_text(text, encoding="utf-8")

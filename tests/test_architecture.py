@@ -35,7 +35,7 @@ solve.bordered solve.continuation solve.path solve.together solve.prolong solve.
 solve.accuracy solve.analysis solve.diagnosis
 solve.equations solve.stage solve.integrators solve.drive solve.moving solve.body solve.starts
 solve.dynamics solve.simulate solve.resume
-solve.eigen solve.families solve.about_state solve.modes solve.plan
+solve.eigen solve.families solve.about_state solve.modes solve.plan solve.adaptive solve.pace
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.trust database.restart database.write database.foundation database.read
 demand embedded capacity

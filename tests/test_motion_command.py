@@ -186,7 +186,6 @@ def test_limits_of_newton_and_long_steps(tmp_path):
 @pytest.mark.parametrize(
     ("more", "words"),
     [
-        ("*DYNIMP\n30 0.5 0.25 1\n", "IOPTDT=1 asks for a step that varies"),
         ("*MODEL, SPATIAL, HYSTERESIS=MASING\n", "follows motion in one plane"),
     ],
 )

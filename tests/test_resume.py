@@ -49,6 +49,7 @@ SCENES = {
     "no iteration": {"method": "ROS2"},
     "two parts of a step": {"method": "BATHE"},
     "what the accuracy chose": {"step": None, "accuracy": 1e-3},
+    "steps that follow the error": {"adaptive": True, "record": 0.02, "heave": 1e5},
 }
 
 
@@ -76,13 +77,13 @@ def test_goes_on_to_the_same_bits(tmp_path, scene, after):
 
 def test_a_step_that_turned_out_too_long_is_halved_again(tmp_path, monkeypatch):
     """The trial is made to choose a step whose error is too large for the whole motion."""
-    monkeypatch.setattr(run_motion, "step_for", lambda *_: 0.05)
+    monkeypatch.setattr(run_motion, "pace_for", lambda *_: 0.05)
     deck = shaken.deck(tmp_path, end=2.0, step=None, accuracy=1e-3)
     whole = run_deck(deck, tmp_path / "whole", force=False).motion
     assert whole is not None
     assert whole.step < 0.05
     interrupted(deck, tmp_path / "cut", 0)
-    monkeypatch.setattr(run_motion, "step_for", lambda *_: pytest.fail("chosen anew"))
+    monkeypatch.setattr(run_motion, "pace_for", lambda *_: pytest.fail("chosen anew"))
     run_deck(deck, tmp_path / "cut", force=False, resume=True)
     paths = [tmp_path / name / "shaken.dst" for name in ("whole", "cut")]
     assert shaken.differences(*paths) == []

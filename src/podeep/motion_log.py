@@ -96,9 +96,8 @@ class Log:
         tell: Progress,
     ) -> None:
         self.simulation, self.ledgers, self.chosen, self.tell = one, ledgers, chosen, tell
-        wanted = dynamics.recording or (dynamics.end - dynamics.start) / RECORDS
+        one.record_each(dynamics.recording or (dynamics.end - dynamics.start) / RECORDS)
         self.end = dynamics.end
-        one.every = max(round(wanted / one.longest), 1)
         self.errors = [Errors(one.method.order) for _ in ledgers]
         self.records = self.iterations = 0
         self._last = np.zeros((len(ledgers), 3))

@@ -17,9 +17,9 @@ from .motion_log import Log, Progress, part_of
 from .motion_record import ledger
 from .resume import Options
 from .scene import Scene
-from .solve.plan import begun, simulation, step_for
+from .solve.pace import finer, pace_for, paced
+from .solve.plan import begun
 
-FINER = 0.5  # of a step whose error turned out too large
 RESTARTS = 3
 
 _BY_DEFAULT = Options()
@@ -37,6 +37,7 @@ class MotionRun:
     database: Path
     time: float
     step: float
+    shortest_step: float
     steps: int
     records: int
     iterations: int
@@ -50,8 +51,11 @@ class MotionRun:
         """The report in words."""
         mean = self.iterations / max(self.steps, 1)
         lost = f"    the soil has dissipated {self.dissipated:.4g} J\n" if self.dissipated else ""
+        length = f"{self.step:.4g} s"
+        if self.shortest_step < self.step:
+            length = f"{self.shortest_step:.3g} to {self.step:.3g} s"
         return (
-            f"Motion to {self.time:g} s: {self.steps} steps of {self.step:.4g} s, "
+            f"Motion to {self.time:g} s: {self.steps} steps of {length}, "
             f"{mean:.1f} iterations a step\n"
             f"    estimated error of displacements {self.error:.1e}, asked {self.accuracy:.0e}\n"
             f"{lost}"
@@ -76,13 +80,6 @@ class MotionRun:
 def check_motion(scene: Scene) -> None:
     """Raises UserError for what a scene asks of its motion and cannot have."""
     dynamics, moved = scene.dynamics, {d.name for d in scene.displacements}
-    if dynamics is not None and dynamics.adaptive:
-        raise UserError(
-            Fault(
-                "IOPTDT=1 asks for a step that varies along the motion: this version has none",
-                "leave IOPTDT out, and DT too: the step then follows from *ACCURACY",
-            )
-        )
     for foundation in scene.foundations:
         planes = needs(scene, foundation).components
         check_plane(planes, scene.numerics.hysteresis, foundation.name)
@@ -122,15 +119,16 @@ def run_motion(
     tell("statics, and the step in time")
     start = [begun(scene, foundation) for foundation in scene.foundations]
     if state is None:
-        step, first = step_for(scene, dynamics, start), 0.0
+        pace, first = pace_for(scene, dynamics, start), 0.0
     else:
-        step, first = map(float, part_of(state, "step", 2))
+        pace, first = map(float, part_of(state, "pace", 2))
     whole = dynamics.end - dynamics.start
     for restarts in range(int(first), RESTARTS + 1):
-        one = simulation(scene, dynamics, start, step, whole)
-        patient = dynamics.step is not None or restarts == RESTARTS
+        one = paced(scene, dynamics, start, pace, whole)
+        given = dynamics.step is not None and not dynamics.adaptive
+        patient = given or restarts == RESTARTS
         ledgers = [ledger(scene, b, m.body) for b, m in zip(start, one.motions, strict=True)]
-        chosen = {"step": np.array([step, restarts]), **options.state}
+        chosen = {"pace": np.array([pace, restarts]), **options.state}
         log = Log(one, dynamics, ledgers, chosen, tell)
         if state is not None:
             log.resume(state)
@@ -153,7 +151,7 @@ def run_motion(
         try:
             with writer:
                 if not log.follow(writer, None if patient else scene.numerics.accuracy):
-                    step *= FINER
+                    pace = finer(dynamics, pace, one.method.order)
                     continue
                 failure = log.failure()
                 writer.finish("stopped" if failure else "complete", failure)
@@ -162,7 +160,15 @@ def run_motion(
                 raise
             reached = f"interrupted at {one.time:.4g} of {dynamics.end:g} s"
             raise Interrupted(f"{reached}; go on from {writer.path} with: {again}") from None
-        counted = (one.time, one.h, one.done, log.records, log.iterations, one.error)
+        counted = (
+            one.time,
+            one.longest,
+            one.shortest,
+            one.done,
+            log.records,
+            log.iterations,
+            one.error,
+        )
         moving = [p for m in one.motions for p in (m.body.lateral, m.body.axial) if p is not None]
         lost = sum(problem.dissipated() for problem in moving)
         return MotionRun(target, *counted, scene.numerics.accuracy, lost, failure)

@@ -1,12 +1,15 @@
 """Foundations in motion, followed step by step from the end of statics."""
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
 
 import numpy as np
 from scipy.linalg import blas
 
+from ..arrays import Array
 from ..scene import Dynamics
+from ..soil.memory import Memory
 from .body import Body
 from .equations import State
 from .integrators import (
@@ -50,6 +53,18 @@ def integrator(dynamics: Dynamics) -> Integrator:
             return Rosenbrock()
         case "CENTRAL":
             return CentralDifference()
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """Where a motion was, to go back to: its states, the work of its loads, J, and the largest
+    force, N, so far, and what its soil remembers of deflection and stretch."""
+
+    lateral: State
+    axial: State | None
+    work: float
+    force: float
+    memories: tuple[Mapping[str, Array], ...]
 
 
 @dataclass(slots=True)
@@ -110,6 +125,22 @@ class Motion:
         load = equations.load(before.time) + equations.load(after.time)
         self.work += 0.5 * blas.ddot(load, after.q - before.q)
         equations.commit(after.q)
+
+    def standing(self) -> Standing:
+        """Where it is, for it or another one of the same body to `stand` at."""
+        memories = tuple(memory.state() for memory in self._memories())
+        return Standing(self.lateral, self.axial, self.work, self.force, memories)
+
+    def stand(self, at: Standing) -> None:
+        """Go where it, or another one of the same body, was."""
+        self.lateral, self.axial, self.work, self.force = at.lateral, at.axial, at.work, at.force
+        for memory, state in zip(self._memories(), at.memories, strict=True):
+            memory.restore(state)
+
+    def _memories(self) -> Iterator[Memory]:
+        for equations in (self.body.lateral, self.body.axial):
+            if equations is not None and equations.memory is not None:
+                yield equations.memory
 
     def imbalance(self) -> float:
         """Largest force out of balance over the largest force so far."""

@@ -5,6 +5,7 @@ from math import ceil, inf, log2, pi
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import AnalysisFailed, Fault, UserError
 from ..model.assemble import Model
 from ..model.results import Results
@@ -13,6 +14,7 @@ from .analysis import factors_of, limits, rebuilt, run, solve
 from .body import body
 from .dynamics import End, Motion, integrator, started
 from .modes import halved
+from .moving import Moving
 from .newton import largest
 from .simulate import Simulation
 from .starts import Beginning, beginning
@@ -27,11 +29,11 @@ _CORNERS, _CORNERS_REMEMBERED = 3e-4, 1e-3
 _PARTS, _OWN_PARTS = 40, 20  # of the shortest period of loads, and of the foundation's longest own
 _PERIODS = 4.0  # that a trial takes
 _SERIES_STEPS = 400  # that a trial takes where nothing is periodic
-_AIM = 0.5  # of the accuracy: the error that a step is chosen for
+AIM = 0.5  # of the accuracy: the error that a step is chosen for
 _LONGEST, _SHORTEST = 4.0, 1.0 / 64.0  # of the first step
-_TRIALS = 3
-_NEAR = 0.6  # of the step to aim for: a trial so near it needs no other
-_STEADY = 0.9  # of the limit of an explicit method
+TRIALS = 3
+NEAR = 0.6  # of the step to aim for: a trial so near it needs no other
+STEADY = 0.9  # of the limit of an explicit method
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,14 +41,14 @@ class Begun:
     """A foundation at the end of statics: its model and the state there.
 
     start: from where it moves. peak: under its largest loads in statics, which the mesh suits.
-    reach: how far it may move, m.
+    sizes: how far deflection and stretch may move, m.
     """
 
     model: Model
     rest: State
     start: Beginning
     peak: Results
-    reach: float
+    sizes: Array
 
 
 def begun(scene: Scene, foundation: Foundation) -> Begun:
@@ -72,9 +74,9 @@ def begun(scene: Scene, foundation: Foundation) -> Begun:
             f"{foundation.name}: statics has no equilibrium, so there is no state to move from"
         )
     start = beginning(scene, model, states[-1])
-    moved = [largest(q) for s in (*largest_loads.states, *states) for q in (s.lateral, s.axial)]
-    moved += [largest(start.lateral), largest(start.axial)]
-    return Begun(model, states[-1], start, largest_loads.results, max(moved))
+    there: tuple[State | Beginning, ...] = (*largest_loads.states, *states, start)
+    sizes = np.max([(largest(at.lateral), largest(at.axial)) for at in there], axis=0)
+    return Begun(model, states[-1], start, largest_loads.results, sizes)
 
 
 def peaks(scene: Scene) -> Steps:
@@ -106,23 +108,29 @@ def simulation(
     Without twins its errors are not known.
     """
     count = steps_in(until, step, dynamics.recording)
-
-    def motions() -> list[Motion]:
-        return [
-            started(body(scene, one.model, one.rest), dynamics.start, one.start, one.reach)
-            for one in begun
-        ]
-
     return Simulation(
-        motions(),
-        motions() if twins else (),
+        set_off(scene, dynamics, begun),
+        set_off(scene, dynamics, begun) if twins else (),
         integrator(dynamics),
         dynamics.start,
         until / count,
         count,
-        min(_SHARE * scene.numerics.accuracy, dynamics.tolerance),
+        share_of(scene, dynamics),
         dynamics.iterations,
     )
+
+
+def set_off(scene: Scene, dynamics: Dynamics, begun: list[Begun]) -> list[Motion]:
+    """All foundations where their motion begins."""
+    return [
+        started(body(scene, one.model, one.rest), dynamics.start, one.start, float(one.sizes.max()))
+        for one in begun
+    ]
+
+
+def share_of(scene: Scene, dynamics: Dynamics) -> float:
+    """Of the expected displacement, what iterations may leave."""
+    return min(_SHARE * scene.numerics.accuracy, dynamics.tolerance)
 
 
 def steps_in(until: float, step: float, recording: float | None) -> int:
@@ -140,31 +148,62 @@ def step_for(scene: Scene, dynamics: Dynamics, begun: list[Begun]) -> float:
 
     Raises UserError for a step beyond the limit of an explicit method.
     """
-    bodies = [body(scene, one.model, one.rest) for one in begun]
-    moving = [m for b in bodies for m in (b.lateral if b.sways else None, b.axial) if m is not None]
-    limit = min((integrator(dynamics).limit(m) for m in moving), default=inf)
+    moving = moving_in(scene, begun)
+    limit = limit_of(dynamics, moving)
     if dynamics.step is not None:
         check_step(dynamics, dynamics.step, limit)
         return dynamics.step
-    whole = dynamics.end - dynamics.start
-    periods = [h.period for h in scene.harmonics]
-    first = min(periods) / _PARTS if periods else whole / _SERIES_STEPS
-    first = min([first, *(2.0 * pi / m.slowest() / _OWN_PARTS for m in moving)])
-    first = step = min(first, _STEADY * limit)
-    longest = min(_LONGEST * first, _STEADY * limit)
-    for _ in range(_TRIALS):
-        span = _PERIODS * max(periods) if periods else _SERIES_STEPS * step
-        trial = simulation(scene, dynamics, begun, step, min(span, whole))
+    first = step = min(first_step(scene, dynamics, moving), STEADY * limit)
+    span = trial_span(scene, dynamics, first)
+    longest = min(_LONGEST * first, STEADY * limit)
+    for _ in range(TRIALS):
+        trial = simulation(scene, dynamics, begun, step, span)
         trial.every = trial.count
         for _ in trial.blocks():
             pass
         fine = trial.ending is not End.NO_BALANCE
-        share = _AIM * scene.numerics.accuracy / max(trial.error, 1e-12)
+        share = AIM * scene.numerics.accuracy / max(trial.error, 1e-12)
         share = share ** (1.0 / trial.method.order) if fine else 0.25
-        if _NEAR <= share <= 1.0 / _NEAR:
+        if NEAR <= share <= 1.0 / NEAR:
             return step * min(share, 1.0)
         step = float(np.clip(share * step, _SHORTEST * first, longest))
     return step
+
+
+def moving_in(scene: Scene, begun: list[Begun]) -> list[Moving]:
+    """All that moves: deflections and stretches."""
+    bodies = [body(scene, one.model, one.rest) for one in begun]
+    return [m for b in bodies for m in (b.lateral if b.sways else None, b.axial) if m is not None]
+
+
+def limit_of(dynamics: Dynamics, moving: list[Moving]) -> float:
+    """The longest step, s, that an explicit method stays stable with; inf: any."""
+    return min((integrator(dynamics).limit(m) for m in moving), default=inf)
+
+
+def first_step(scene: Scene, dynamics: Dynamics, moving: list[Moving]) -> float:
+    """A step to begin with, s, by the periods of loads and foundations."""
+    periods = [h.period for h in scene.harmonics]
+    whole = dynamics.end - dynamics.start
+    first = min(periods) / _PARTS if periods else whole / _SERIES_STEPS
+    return min([first, *(2.0 * pi / m.slowest() / _OWN_PARTS for m in moving)])
+
+
+def trial_span(scene: Scene, dynamics: Dynamics, first: float) -> float:
+    """What a trial is to see of the motion, s: periods of loads, or steps once loads set in."""
+    whole = dynamics.end - dynamics.start
+    if scene.harmonics:
+        span = _PERIODS * max(h.period for h in scene.harmonics)
+    else:
+        onsets = [onset(history) - dynamics.start for history in scene.series]
+        span = max(min(onsets, default=0.0), 0.0) + _SERIES_STEPS * first
+    return min(span, whole)
+
+
+def onset(history: TimeSeries) -> float:
+    """The time at which the factor of a load first changes, s; the last one where it never does."""
+    pairs = zip(history.times, history.factors, history.factors[1:], strict=False)
+    return next((time for time, one, other in pairs if one != other), history.times[-1])
 
 
 def check_step(dynamics: Dynamics, step: float, limit: float) -> None:

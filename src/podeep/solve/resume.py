@@ -16,7 +16,7 @@ _ROWS = ("q", "velocity", "acceleration", "resisting")
 
 def state_of(one: Simulation) -> dict[str, Array]:
     """Everything that the next step depends on, and what is added up from step to step."""
-    counts = (one.done, _ENDS.index(one.ending), *one.apart, *one.reach)
+    counts = (one.done, _ENDS.index(one.ending), *one.apart, *one.reach, *one.along)
     found = {"simulation": np.array(counts, dtype=np.float64)}
     for name, motion in _named(one):
         sums = (motion.lateral.time, motion.work, motion.force, motion.reach)
@@ -38,7 +38,8 @@ def resume(one: Simulation, found: Mapping[str, Array]) -> None:
     """
     done, ending, *sizes = found["simulation"].tolist()
     one.done, one.ending = int(done), _ENDS[int(ending)]
-    one.apart, one.reach = np.array(sizes[:2]), np.array(sizes[2:])
+    one.apart, one.reach = np.array(sizes[:2]), np.array(sizes[2:4])
+    one.go_on(sizes[4:])
     for name, motion in _named(one):
         time, motion.work, motion.force, motion.reach = map(float, found[name])
         states = []

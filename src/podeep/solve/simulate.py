@@ -92,6 +92,16 @@ class Rows:
         if self.told:
             self.told[-1] = self.told[-1]._replace(recorded=True, residual=residual)
 
+    def add(self, others: "Rows") -> None:
+        """Steps that came after these."""
+        self.states += others.states
+        self.told += others.told
+
+    @property
+    def spent(self) -> int:
+        """Iterations of all."""
+        return sum(told.iterations for told in self.told)
+
     def block(self, foundations: int) -> Block:
         tracks = tuple(map(_tracks, zip(*self.states, strict=True)))
         a, b, c, d, e, f, g = map(np.array, zip(*self.told, strict=True))
@@ -142,6 +152,10 @@ class Simulation:
         """Most rows that are recorded, with that of the beginning."""
         return self.count // self.every + 2
 
+    def record_each(self, interval: float) -> None:
+        """Record the steps that end nearest to multiples of an interval, s."""
+        self.every = max(round(interval / self.h), 1)
+
     @property
     def longest(self) -> float:
         """The longest step, s."""
@@ -151,6 +165,14 @@ class Simulation:
     def shortest(self) -> float:
         """The shortest step so far, s."""
         return self.h
+
+    @property
+    def along(self) -> tuple[float, ...]:
+        """Where it is, beyond `done`, for `go_on`."""
+        return ()
+
+    def go_on(self, along: Sequence[float]) -> None:
+        """Be where another one was `along`."""
 
     def blocks(self, size: int = BLOCK) -> Iterator[Block]:
         """Yield block after block; `ending` tells how it ended.

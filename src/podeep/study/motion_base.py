@@ -72,9 +72,9 @@ def base_of(scene: Scene, foundation: Foundation, accuracy: float) -> Base:
 
 
 def dynamics_of(scene: Scene) -> Dynamics:
-    """How a scene's motion is followed where the program chooses the step."""
+    """How a scene's motion is followed where the program chooses one step for all of it."""
     assert scene.dynamics is not None
-    return replace(scene.dynamics, step=None)
+    return replace(scene.dynamics, step=None, adaptive=False)
 
 
 def stable(base: Base) -> float:

@@ -14,9 +14,10 @@ from statistics import median
 from ..arrays import Array
 from ..errors import AnalysisFailed, UserError
 from ..motion import Method
-from ..run_motion import FINER, RESTARTS, check_motion
+from ..run_motion import RESTARTS, check_motion
 from ..scene import Dynamics, Foundation, Scene
 from ..solve.dynamics import End, integrator
+from ..solve.pace import FINER
 from ..solve.plan import begun, simulation, step_for
 from .measure import Tell, asking, machine, turns
 from .motion_base import Base, Task, base_of, dynamics_of, stable, task
