@@ -18,9 +18,11 @@ from sys import path
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[1])]
-from moving_piles import start_of, swaying_pile
+path.insert(0, str(Path(__file__).parents[1]))
+path.insert(0, str(Path(__file__).parent))
 from our_pile import machine
+
+from moving_piles import start_of, swaying_pile
 from podeep.motion import Hysteresis, TimeSeries
 from podeep.scene import Scene
 from podeep.solve.pace import pace_for, paced
