@@ -209,6 +209,7 @@ def test_without_soils_nothing_is_said_of_the_seabed(tmp_path, capsys):
         ("1 DUNLAP 5e3\n1 F114 5e3 5e3\n", "1", "soil stiffness 1 is defined twice, first at"),
         ("1 DUNLAP\n", "", "*SOILSTIFF lacks CU; the line is ID MODEL CU"),
         ("1 DUNLAP 5e3 5e3\n", "5e3", "a value too many for *SOILSTIFF; the line is ID MODEL CU"),
+        ("1 DNV14SAND 9e3 30 0.7 0.35 1.5\n", "1.5", "a value too many for *SOILSTIFF"),
         ("1 DUNLAP -5e3\n", "-5e3", "CU is -5e3, but must be 1 to 1e+08"),
         ("1 DNV14CLAY 5e3 5e3 2.97 0.4\n", "2.97", "void ratio is 2.97; it has to be 0.01 to bel"),
         ("1 DNV14CLAY 5e3 5e3 3 0.4\n", "3", "E is 3, but must be 0.01 to 2.97"),
