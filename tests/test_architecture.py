@@ -10,13 +10,17 @@ SOURCE = Path(__file__).parents[1] / "src" / "podeep"
 #: Every module, lowest first: a file imports only from files above it in this list.
 ORDER = """
 __init__ arrays errors files units tubes motion scene
-soil.__init__ soil.group
+soil.__init__ soil.group soil.polyline soil.law
+seabed.__init__ seabed.parameters seabed.bearing seabed.at_rest seabed.law seabed.powers
+seabed.verley_lund seabed.f114 seabed.dnv14 seabed.audibert seabed.models seabed.stiffness
+seabed.lay
 deck.__init__ deck.faults deck.scan deck.column deck.curve_columns deck.ground_keywords
 deck.py_keyword deck.tz_keyword deck.structure_keywords deck.action_keywords deck.motion_keywords
-deck.analysis_keywords deck.keywords deck.cells deck.registry deck.curves deck.ground
+deck.analysis_keywords deck.seabed_keyword deck.keywords deck.cells deck.registry deck.curves
+deck.ground deck.seabed
 deck.structure deck.foundations deck.actions deck.steps deck.histories deck.ties
 deck.paragraphs deck.dynamics deck.read
-soil.polyline soil.law soil.backbone soil.soft_clay soil.sand soil.initial_line soil.stiff_clay
+soil.backbone soil.soft_clay soil.sand soil.initial_line soil.stiff_clay
 soil.weak_rock
 soil.reese_sand soil.iso_clay soil.pisa_fits soil.pisa soil.lateral soil.axial soil.layering
 soil.layers soil.surroundings soil.kinds soil.equivalent soil.reaction soil.profile soil.curves
@@ -40,8 +44,9 @@ database.__init__ database.schema database.envelope database.layout database.tar
 database.trust database.restart database.write database.foundation database.read
 demand embedded capacity
 risks.__init__ risks.ranges risks.risk risks.curves risks.site risks.piles risks.bearing
-risks.motion
-checks record describe_motion describe report stiffness capacity_report query table picture figure
+risks.motion risks.seabed
+checks record describe_motion describe report stiffness seabed_report capacity_report query table
+picture figure
 soil_figure modes_report modes_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result
@@ -51,7 +56,7 @@ study.oscillator study.trials study.limits study.stability study.stability_repor
 study.stability_figure
 study.motion_settings study.motion_chart study.motion_history study.motion_base
 study.motion_measure study.motion_report study.motion_figure
-cli.__init__ cli.common cli.podeep cli.chart cli.modes cli.solve
+cli.__init__ cli.common cli.podeep cli.chart cli.modes cli.stiffness cli.solve
 """.split()
 
 FILES = sorted(SOURCE.rglob("*.py"))

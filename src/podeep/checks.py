@@ -14,6 +14,7 @@ from .risks import bearing, motion, piles
 from .risks.curves import curve_risks
 from .risks.ranges import SLIPS, TUBE_SLIPS
 from .risks.risk import Risk, Value, rounded, slips
+from .risks.seabed import soil_risks
 from .risks.site import EDGE, Site
 from .scene import Foundation, Scene, Spudcan, Tube
 from .soil.spudcan_bearing import clay_bearing_capacity, sand_bearing_capacity
@@ -39,6 +40,8 @@ def _risks(scene: Scene) -> Iterator[Risk]:
         yield from curve_risks("p-y", ground.lateral_curves[id_])
     for id_ in sorted(set(ground.axial) - {0}):
         yield from curve_risks("t-z", ground.axial_curves[id_])
+    for soil in scene.soil_stiffnesses.values():
+        yield from soil_risks(f"soil stiffness {soil.id}", soil.parameters)
     for foundation in scene.foundations:
         yield from foundation_risks(scene, foundation)
 

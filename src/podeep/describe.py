@@ -33,6 +33,8 @@ def scene_report(scene: Scene, notes: tuple[str, ...]) -> str:
         lines += ["", "tubes in tubes", *(f"  {line}" for line in tie_lines(scene))]
     lines += ["", "soil"]
     lines += [f"  {line}" for line in ground_lines(scene.ground)]
+    if scene.soil_stiffnesses:
+        lines += ["", "seabed", *(f"  {line}" for line in seabed_lines(scene))]
     lines += ["", "held and loaded"]
     lines += [f"  {line}" for line in action_lines(scene)]
     lines += ["", "steps"]
@@ -144,6 +146,13 @@ def ground_lines(ground: Ground) -> Iterator[str]:
         for curve in curves.values():
             yield f"{kind} {curve.id}: {curve_line(curve)}"
     yield from soil_motion_lines(ground)
+
+
+def seabed_lines(scene: Scene) -> Iterator[str]:
+    """Soils under pipes: model and parameters."""
+    for soil in scene.soil_stiffnesses.values():
+        values = ", ".join(parameter(name, value) for name, value in soil.parameters.items())
+        yield f"soil stiffness {soil.id}: {soil.model}, {values}"
 
 
 def curve_line(curve: Curve) -> str:

@@ -104,6 +104,18 @@ class Ground:
 
 
 @dataclass(frozen=True, slots=True)
+class SoilStiffness:
+    """The soil under a pipe on the seabed as it was given.
+
+    `model` names one of `seabed.models.MODELS`, `parameters` are by the keys that it takes, in SI.
+    """
+
+    id: int
+    model: str
+    parameters: Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True)
 class Foundation:
     """Tubes in the soil, the outermost first, and the elevation of the mudline around them."""
 
@@ -279,6 +291,9 @@ class Scene:
     series: tuple[TimeSeries, ...] = ()
     damping: Damping | None = None
     dynamics: Dynamics | None = None
+    soil_stiffnesses: Mapping[int, SoilStiffness] = field(
+        default_factory=lambda: MappingProxyType({})
+    )
 
     def spudcan(self, foundation: Foundation) -> Spudcan | None:
         """The spudcan under a foundation, if it has one."""

@@ -44,7 +44,9 @@ QUANTITIES = {
 
 PARAMETER_UNITS = {
     **dict.fromkeys(("depth", "depth_in_rock", "diameter", "embedded_length"), "m"),
-    **dict.fromkeys(("effective_unit_weight", "subgrade_modulus"), "N/m3"),
+    **dict.fromkeys(
+        ("effective_unit_weight", "subgrade_modulus", "verley_lund_unit_weight"), "N/m3"
+    ),
     **dict.fromkeys(("friction_angle", "interface_friction_angle"), "deg"),
     **dict.fromkeys(("initial_stiffness", "strength_gradient"), "Pa/m"),
     **dict.fromkeys(
@@ -53,6 +55,8 @@ PARAMETER_UNITS = {
             "effective_overburden",
             "end_bearing_limit",
             "friction_limit",
+            "given_dynamic_stiffness",
+            "given_static_stiffness",
             "initial_shear_modulus",
             "mean_undrained_shear_strength",
             "mudline_strength",

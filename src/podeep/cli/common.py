@@ -1,5 +1,6 @@
 """What both commands share: errors become messages and exit codes, here and nowhere else."""
 
+import argparse
 import os
 import sys
 import traceback
@@ -34,3 +35,12 @@ def told(program: str, message: str, code: ExitCode) -> ExitCode:
     """Print an error on standard error and hand on its exit code."""
     print(f"{program}: {message}", file=sys.stderr)
     return code
+
+
+def number(text: str) -> float:
+    """A number; the bounds are told with what they depend on."""
+    try:
+        return float(text)
+    except ValueError:
+        message = f"'{text}' is no number: write it as 2.0 or 75"
+        raise argparse.ArgumentTypeError(message) from None

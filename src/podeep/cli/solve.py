@@ -14,8 +14,9 @@ from ..errors import AnalysisFailed, ExitCode, Fault, UserError
 from ..files import make_folder
 from ..units import short
 from .chart import chart, progress
-from .common import guarded
+from .common import guarded, number
 from .modes import add_modes
+from .stiffness import add_stiffness
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -88,10 +89,7 @@ def parser() -> argparse.ArgumentParser:
 
     add_modes(commands)
 
-    stiffness_ = commands.add_parser("stiffness", help="stiffness under spudcans, every model")
-    stiffness_.add_argument("deck", type=Path)
-    stiffness_.add_argument("--csv", action="store_true", help="SI units and full precision")
-    stiffness_.set_defaults(command=stiffness)
+    add_stiffness(commands)
 
     keywords_ = commands.add_parser("keywords", help="the keyword table, or one keyword")
     keywords_.add_argument("name", nargs="?")
@@ -110,15 +108,6 @@ def accuracy(text: str) -> float:
     if not 1e-9 <= value <= 0.1:
         raise argparse.ArgumentTypeError(f"{text} is outside 1e-9 to 0.1")
     return value
-
-
-def number(text: str) -> float:
-    """A number; the bounds are told with what they depend on."""
-    try:
-        return float(text)
-    except ValueError:
-        message = f"'{text}' is no number: write it as 2.0 or 75"
-        raise argparse.ArgumentTypeError(message) from None
 
 
 def numbers(text: str) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
@@ -244,23 +233,6 @@ def capacity(options: argparse.Namespace) -> ExitCode:
 def tell(picture: Path, options: argparse.Namespace) -> None:
     """Name a picture that was written, apart from data that another program reads."""
     print(f"written: {picture}", file=sys.stderr if options.csv else sys.stdout)
-
-
-def stiffness(options: argparse.Namespace) -> ExitCode:
-    """Show the stiffness under every spudcan by every model."""
-    from ..deck.read import read_deck
-    from ..stiffness import COLUMNS, csv_rows, text
-
-    scene = read_deck(options.deck).scene
-    if not scene.spudcans:
-        raise UserError(
-            Fault(f"{options.deck} has no *SPUDCAN: there is no stiffness to show", "add one")
-        )
-    if options.csv:
-        csv.writer(sys.stdout, lineterminator="\n").writerows((COLUMNS, *csv_rows(scene)))
-    else:
-        print(text(scene))
-    return ExitCode.DONE
 
 
 def keywords(options: argparse.Namespace) -> ExitCode:

@@ -40,6 +40,7 @@ from .motion_keywords import (
     TIMESERIES,
 )
 from .py_keyword import PYCURVE
+from .seabed_keyword import SOILSTIFF
 from .structure_keywords import CASING, CONTACT, FONDATION, SLAVE, TYPCONTACT
 from .tz_keyword import TZCURVE
 
@@ -51,7 +52,7 @@ KEYWORDS: Mapping[str, Keyword] = MappingProxyType(
         k.name: k
         for k in (
             *(TITLE, DEPTH, GROUNDEPTH, PYCURVE, TZCURVE, GROUNDPROP, RADIATION),
-            *(CASING, FONDATION, SLAVE, TYPCONTACT, CONTACT),
+            *(CASING, FONDATION, SLAVE, TYPCONTACT, CONTACT, SOILSTIFF),
             *(SUPPORT, SPRING, STIFFNESS, SPUDCAN, MASS, LOAD, DISPLACE, QUASISTATIC),
             *(INITIAL, HARMONIC, TIMESERIES, DAMPING, DYNAMIC, DYNIMP, NEWTONDYN, DTREC),
             *(NEWTONSTAT, ACCURACY, MODEL, SEA),
@@ -66,7 +67,7 @@ ALIASES: Mapping[str, str] = MappingProxyType(
 
 #: Keywords of the original, or planned, that this version does not read.
 PLANNED: tuple[str, ...] = tuple(
-    """LINE END SOILSTIFF SUCTION MOTION GROUP RISER MOORLINE RIGIBODY
+    """LINE END SUCTION MOTION GROUP RISER MOORLINE RIGIBODY
     RIGIDSTRUC CDDEPTH WAVE FLUID-EX SPRINGPRO TRENCH STIFFAMP""".split()
 )
 

@@ -6,7 +6,17 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from ..scene import Curve, Foundation, Ground, Newton, Numerics, Scene, Sea, Support
+from ..scene import (
+    Curve,
+    Foundation,
+    Ground,
+    Newton,
+    Numerics,
+    Scene,
+    Sea,
+    SoilStiffness,
+    Support,
+)
 from .actions import ACTING, HOLDING, Actions, likely_data, read_actions
 from .curves import axial_curve, lateral_curve
 from .dynamics import read_damping, read_dynamics
@@ -25,6 +35,7 @@ from .keywords import KEYWORDS
 from .paragraphs import Sorted, sort_paragraphs
 from .registry import Registry
 from .scan import scan
+from .seabed import read_soil_stiffnesses, unused_soils
 from .steps import idle_names, read_steps
 from .structure import ReadTube, read_tube
 from .ties import Ties, read_ties
@@ -62,6 +73,10 @@ def read_deck(path: Path) -> Deck:
     for paragraph in given.of["CASING"]:
         read_tube(paragraph, tubes, faults)
     foundations = _foundations(given, tubes, faults)
+    soils: Registry[SoilStiffness] = Registry(
+        "soil stiffness", "SOILSTIFF", faults, complete=given.complete("SOILSTIFF")
+    )
+    read_soil_stiffnesses(given.of["SOILSTIFF"], soils, faults)
 
     acting = [p for p in scanned.paragraphs if p.keyword in ACTING]
     actions = read_actions(acting, tubes, faults)
@@ -107,11 +122,13 @@ def read_deck(path: Path) -> Deck:
         tuple(histories.series),
         damping,
         dynamics,
+        MappingProxyType(soils.sound),
     )
     notes += actions.notes
     if dynamics and not (histories.places or actions.starts):
         notes.append("no history and no start: in motion the loads stay as the steps leave them")
     notes += [*unused_curves(ground), *_unused_tubes(scene), *idle_names(steps, driven)]
+    notes += unused_soils(scene.soil_stiffnesses)
     notes += likely_data(acting)
     return Deck(scene, scanned.text, bool(given.of["EXEC"]), tuple(notes))
 

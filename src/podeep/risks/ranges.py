@@ -37,7 +37,7 @@ SANDS = ("sand", "reese_sand")
 CLAYS = ("soft_clay", "stiff_clay", "stiff_clay_free_water")
 _FRICTIONAL = (*SANDS, "pisa_sand", "cohesionless")
 _OTHERS_IN_WATER = ("soft_clay", "stiff_clay_free_water", "iso_clay", "cohesive")
-_BUOYANT = "soil under water weighs 4 to 12 kN/m3, in total 10 kN/m3 more"
+BUOYANT = "soil under water weighs 4 to 12 kN/m3, in total 10 kN/m3 more"
 _EFFECTIVE = "give the effective weight, without that of the water; leave it if the soil is dry"
 NO_TESTS = (
     "without tests take 0.02 for CU up to 24 kPa, 0.01 to 48, 0.007 to 96, 0.005 to 192, then 0.004"
@@ -85,8 +85,8 @@ RANGES = (
         "the chart of C1, C2, C3 goes from 20 to 40 degrees (API RP 2A-WSD 6.8.6)",
         "give an angle within it, or back the curve by tests",
     ),
-    Range(_FRICTIONAL, "effective_unit_weight", 3e3, 13e3, _BUOYANT, _EFFECTIVE),
-    Range(_OTHERS_IN_WATER, "effective_unit_weight", 0.0, 13e3, _BUOYANT, _EFFECTIVE),
+    Range(_FRICTIONAL, "effective_unit_weight", 3e3, 13e3, BUOYANT, _EFFECTIVE),
+    Range(_OTHERS_IN_WATER, "effective_unit_weight", 0.0, 13e3, BUOYANT, _EFFECTIVE),
     Range(
         ("weak_rock",),
         "compressive_strength",
@@ -156,13 +156,17 @@ RANGES = (
 _PRESSURE = {"kPa": 1e3, "MPa": 1e6, "GPa": 1e9}
 _WEIGHT = {"kN/m3": 1e3, "t/m3": 9.81e3, "kg/m3": 9.81}
 _SHARE = {"%": 0.01}
-#: By parameter of a curve or a spudcan; zero is none.
+#: By parameter of a curve, a spudcan or the seabed; zero is none.
 SLIPS: Mapping[str, Slip] = {
     "undrained_shear_strength": Slip(500.0, 1e7, (1e3, 1e6), _PRESSURE),
     "tip_shear_strength": Slip(500.0, 1e7, (1e3, 1e6), _PRESSURE),
     "mudline_strength": Slip(100.0, 1e6, (500.0, 2e5), _PRESSURE),
     "strength_gradient": Slip(50.0, 1e5, (300.0, 5e4), {"kPa/m": 1e3}),
     "effective_unit_weight": Slip(1e3, 30e3, (3e3, 26e3), _WEIGHT),
+    "weight": Slip(5.0, 1e5, (20.0, 5e4), {"kN/m": 1e3}),
+    "verley_lund_unit_weight": Slip(1e3, 30e3, (3e3, 26e3), _WEIGHT),
+    "given_static_stiffness": Slip(1e3, 1e10, (1e4, 1e9), _PRESSURE),
+    "given_dynamic_stiffness": Slip(1e3, 1e10, (1e4, 1e9), _PRESSURE),
     "subgrade_modulus": Slip(1e5, 1e10, (1e6, 2e9), {"kN/m3": 1e3, "MN/m3": 1e6}),
     "initial_shear_modulus": Slip(2e5, 1e11, (1e6, 1e10), _PRESSURE),
     "shear_modulus": Slip(2e5, 1e11, (1e6, 1e10), _PRESSURE),

@@ -83,8 +83,10 @@ def listed(ids: Sequence[int]) -> str:
     return f"{named} and {len(ids) - _MOST} more" if len(ids) > _MOST else named
 
 
-def slips(subject: str, about: str, value: Value, slip: Slip) -> Iterator[Risk]:
-    """A value that nothing has, with what may have been meant."""
+def slips(
+    subject: str, about: str, value: Value, slip: Slip, taker: str = "the deck"
+) -> Iterator[Risk]:
+    """A value that nothing has, with what may have been meant; `taker` is what it was given to."""
     if value.amount == 0.0 or slip.low <= value.amount <= slip.high:
         return
     low = value.amount < slip.low
@@ -97,5 +99,5 @@ def slips(subject: str, about: str, value: Value, slip: Slip) -> Iterator[Risk]:
             )
             break
     taken = "a ratio" if value.unit == "-" else value.unit
-    rule = f"{bound} it is as a rule a slip of units (the deck takes {taken})"
+    rule = f"{bound} it is as a rule a slip of units ({taker} takes {taken})"
     yield Risk(subject, about, str(value), rule, remedy)
