@@ -1,0 +1,1 @@
+"""What the seabed does to a pipe that lies on it."""
