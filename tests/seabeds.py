@@ -41,6 +41,14 @@ def fixed(force: float, reach: float, **more) -> PullOut:
     return PullOut(force_factor=force, reach_factor=reach, **powers, **more)
 
 
+def mudline(force: float, reach: float, **more) -> tuple[Suction, float]:
+    """A seabed of one point with fixed suction, whose pipe lies where its contact force is nil."""
+    law = Suction(Power(), 1, K, fixed(force, reach, **more))
+    law.commit(np.array([0.06]))
+    law.commit(law.lift_off)
+    return law, float(law.lift_off[0])
+
+
 #: Seabeds of three points that remember.
 SEABEDS: dict[str, Callable[[], Memory]] = {
     "suction": lambda: Suction(Power(), 3, K, bridge(), speed=0.1),
@@ -61,6 +69,13 @@ def rows(pattern: str) -> list[dict[str, str]]:
     (path,) = DATA.glob(pattern)
     lines = path.read_text(encoding="utf-8").splitlines()
     return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+def cycle(case: str) -> list[tuple[str, float, float]]:
+    """Branch, penetration and reaction of each row of a case of the table of cycles, in order."""
+    (path,) = DATA.glob("10_*.csv")
+    cells = (line.split(",") for line in path.read_text(encoding="utf-8").splitlines())
+    return [(c[2], float(c[3]), float(c[4])) for c in cells if c[1:2] == [case] and len(c) == 5]
 
 
 def felt(law: Memory, h: float | None = None) -> tuple[Law, Callable[[np.ndarray], None]]:

@@ -76,7 +76,8 @@ def static_pull(
 
     law: of one point, which rests at `start` (m) as committed there; it is left as it is.
     stiffness k_p of the spring, N/m per metre of pipe (N/m at a node), above 0. reach: of the pipe,
-    m, above 0, in even parts. Beyond a limit point the states are those after the jump.
+    m, above 0; points: its even parts, each shorter than the way over which suction falls. Beyond
+    a limit point the states are those after the jump.
 
     Raises InvalidData where the numbers make no pull, and where a jump leads beyond the reach.
     """

@@ -12,6 +12,7 @@ from ..soil.memory import Memory
 from ..soil.polyline import Values
 
 _SHALLOW = 0.1  # z/D up to which the bearing factor is a square root
+_TOUCH = 1e-100  # penetration that counts as none, m: squares of forces there are nothing
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -63,12 +64,12 @@ class HyperbolicSoil:
         start = self.factor * np.power(_SHALLOW, b)
         factor = start * np.power(ratio / _SHALLOW, power)
         strength = self.undrained_shear_strength + self.strength_gradient * z
-        rise = factor * (power * strength / ratio + self.strength_gradient * D)
+        rise = factor / ratio * power * strength + factor * self.strength_gradient * D
         return np.asarray(factor * strength * D), np.asarray(rise)
 
     def evaluate(self, z: Array) -> tuple[Array, Array]:
         """First penetration, P = zeta/(1 + zeta) Pu: a backbone; 0 where z <= 0."""
-        inside = z > 0.0
+        inside = z > _TOUCH
         z = np.where(inside, z, self.diameter)
         most, rise = self.ultimate(z)
         zeta = self.normalised_stiffness / self.diameter * z
@@ -137,7 +138,7 @@ class Hyperbolic(Memory):
     def evaluate(self, u: Array) -> tuple[Array, Array]:
         soil = self.soil
         down, turns, start, base = self._branch(u)
-        inside = u > 0.0
+        inside = u > _TOUCH
         z = np.where(inside, u, soil.diameter)
         most, rise = soil.ultimate(z)
         first, first_slope = soil.evaluate(z)
@@ -184,7 +185,7 @@ class Hyperbolic(Memory):
         self.most = self._most(lifts)
         self.virgin = self.virgin & ~((self.z > 0.0) & ~down)
         self.before = np.where(turns & down, self.deepest, self.before)
-        z = np.maximum(u, 0.0)
+        z = np.where(u > _TOUCH, u, 0.0)
         self.worked = self.worked + 0.5 * (self.force + force) * (z - self.z)
         self.deepest = np.maximum(self.deepest, z)
         self.z, self.force, self.down = z, force, down

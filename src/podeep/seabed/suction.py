@@ -13,6 +13,7 @@ from .pull_out import PullOut, Wear
 
 _GRID = np.geomspace(1e-4, 1.0, 129)  # penetrations at which a backbone is looked at, m
 _SLACK = 1e-9
+_TOUCH = 1e-100  # penetration whose energy is nothing, m
 _WHOLE = np.ones(1)
 
 
@@ -183,8 +184,9 @@ class Suction(Memory):
 
     @property
     def dissipated(self) -> Array:
-        pressed = energy(self.backbone, np.maximum(self.deepest, _GRID[0]))
-        pressed = np.where(self.deepest > 0.0, pressed, 0.0)
+        touched = self.deepest > _TOUCH
+        pressed = energy(self.backbone, np.where(touched, self.deepest, 1.0))
+        pressed = np.where(touched, pressed, 0.0)
         return np.asarray(pressed - 0.5 * self.peak**2 / self.stiffness + self.pulled)
 
 
