@@ -25,8 +25,8 @@ soil.series soil.py_simple soil.tz_simple soil.qz_simple soil.tip_memory soil.se
 soil.memory_of
 soil.lateral_capacity soil.axial_capacity soil.required_length soil.spudcan soil.spudcan_bearing
 soil.spudcan_yield
-seabed.__init__ seabed.normal seabed.friction seabed.pull_out seabed.suction seabed.hyperbolic
-seabed.breakout
+seabed.__init__ seabed.bounds seabed.normal seabed.friction seabed.pull_out seabed.suction
+seabed.hyperbolic seabed.breakout
 beam.__init__ beam.shapes beam.strings beam.rows beam.field beam.band beam.bubbles
 model.__init__ model.needs model.mesh model.weave model.compression model.contact model.points
 model.moduli model.springs model.system model.many model.footing model.holds model.weight

@@ -84,8 +84,9 @@ def test_a_pull_on_the_hyperbolic_seabed() -> None:
     ("stiffness", "reach", "points", "words"),
     [
         (0.0, 1.0, 11, "stiffness of 0"),
-        (1e3, -1.0, 11, "a reach of -1 m"),
-        (1e3, 1.0, 1, "1 points"),
+        (np.inf, 1.0, 11, "stiffness of inf"),
+        (1e3, -1.0, 11, "reach of a pull, m, of -1"),
+        (1e3, 1.0, 1, "number of points of a pull of 1; give 2 or more"),
         (np.nan, 1.0, 11, "stiffness of nan"),
         (2000.0, 1.0, 101, "jumps at a pull of 4000 N/m, and beyond a reach of 1 m"),
     ],

@@ -302,6 +302,7 @@ def test_points_are_each_their_own(kind) -> None:
     [
         ({}, "threshold or a stiffness"),
         ({"threshold": 0.1, "stiffness": 1e4}, "threshold or a stiffness"),
+        ({"stiffness": np.inf}, "stiffness of friction of inf"),
         ({"threshold": 0.0}, "threshold of friction of 0"),
         ({"stiffness": np.array([1.0, -2.0])}, "stiffness of friction of -2"),
         ({"stiffness": 1.0, "coefficient": -0.1}, "friction coefficient of -0.1"),

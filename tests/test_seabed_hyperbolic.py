@@ -65,6 +65,20 @@ def test_bounds_and_limits() -> None:
     assert again.evaluate(at(1e-9))[0] == pytest.approx(0.0, abs=0.1)
 
 
+@pytest.mark.parametrize("rejoins", [False, True])
+def test_the_derivative_on_every_branch(rejoins: bool) -> None:
+    law = Hyperbolic(SOIL, 1, rejoins=rejoins)
+    for _, z, _ in TABLE:
+        if z > 0.0 and z != law.z[0]:
+            step = 1e-7 * abs(z - law.z[0])
+            ahead, here, behind = (law.evaluate(at(z + s))[0][0] for s in (step, 0.0, -step))
+            sides = np.sort([(ahead - here) / step, (here - behind) / step])  # differ at corners
+            slope = law.evaluate(at(z))[1][0]
+            slack = 1.0 + 1e-4 * np.abs(sides).max()
+            assert sides[0] - slack <= slope <= sides[1] + slack
+        law.commit(at(z))
+
+
 def test_two_readings_of_the_deepest_penetration() -> None:
     """As the table has it re-penetration stays at exp(-0.3) of the first curve; the other reading
     joins it at 1.3 times the deepest penetration before."""
@@ -102,9 +116,10 @@ def test_a_shallow_touch_gives_more_than_it_took() -> None:
 @pytest.mark.parametrize(
     ("more", "words"),
     [
-        ({"diameter": 0.0}, "diameter of 0; give more than 0"),
-        ({"undrained_shear_strength": -1.0}, "undrained shear strength of -1"),
-        ({"strength_gradient": np.nan}, "gradient of the strength of nan"),
+        ({"diameter": 0.0}, "diameter, m, of 0; give more than 0"),
+        ({"undrained_shear_strength": np.inf}, "undrained shear strength, Pa, of inf"),
+        ({"undrained_shear_strength": -1.0}, "undrained shear strength, Pa, of -1"),
+        ({"strength_gradient": np.nan}, "gradient of the undrained shear strength, Pa/m, of nan"),
         ({"normalised_stiffness": 0.0}, "normalised stiffness of 0"),
         ({"suction_ratio": -0.1}, "suction ratio of -0.1; give 0 or more"),
     ],

@@ -80,10 +80,11 @@ def test_many_points_and_states_at_once() -> None:
 @pytest.mark.parametrize(
     ("made", "words"),
     [
-        (lambda: Winkler(1e5, 0.0), "tolerance on penetration of 0 m"),
+        (lambda: Winkler(1e5, 0.0), "tolerance on penetration, m, of 0; give more than 0"),
         (lambda: Winkler(np.array([1.0, -1.0]), E), "contact stiffness of -1"),
+        (lambda: Winkler(np.inf, E), "contact stiffness of inf"),
         (lambda: Winkler(np.nan, E), "contact stiffness of nan"),
-        (lambda: OneSided(Power(), -1e-3), "tolerance on penetration of -0.001 m"),
+        (lambda: OneSided(Power(), -1e-3), "tolerance on penetration, m, of -0.001"),
     ],
 )
 def test_what_makes_no_seabed(made, words: str) -> None:

@@ -40,7 +40,7 @@ def test_an_hour_of_steady_load_moves_nothing(kind) -> None:
     )
     start = np.array([300.0 / 1e4])
     sliding.commit(start)
-    states, _ = history(Weighted.hht(-0.05), equations, start, np.zeros(1), 1.0, 3600)
+    states, _ = history(Weighted.hht(-0.05), equations, start, np.zeros(1), 2.0, 1800)
     places = np.array([s.q[0] for s in states])
     assert np.abs(places - start).max() <= 1e-14 * start[0]
     assert sliding.law.dissipated == 0.0
@@ -56,7 +56,7 @@ def test_a_load_that_comes_on_slides_and_then_holds_for_an_hour(kind) -> None:
     states, _ = history(Weighted.hht(-0.05), equations, np.zeros(1), np.array([8.0]), 0.05, 400)
     slid = states[-1].q[0]
     assert slid > 0.06
-    rest, _ = history(Weighted.hht(-0.05), equations, states[-1].q, states[-1].velocity, 1.0, 3600)
+    rest, _ = history(Weighted.hht(-0.05), equations, states[-1].q, states[-1].velocity, 2.0, 1800)
     assert abs(rest[-1].q[0] - slid) < 1e-12
 
 

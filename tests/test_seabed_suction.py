@@ -223,15 +223,16 @@ def test_wear_takes_from_the_suction_as_the_pipe_works_the_soil() -> None:
 @pytest.mark.parametrize(
     ("more", "words", "field"),
     [
-        ({"released": 0.96}, "cut-off x_c2 of 0.96; give 0.12 to 0.95", "XC2"),
+        ({"released": 0.96}, "cut-off x_c2 of 0.96; give 1e-06 to 0.95", "XC2"),
         ({"released": 0.1}, "cut-off x_c1 of 0.12", "XC1"),
         ({"mobilised": 0.0}, "cut-off x_c1 of 0;", "XC1"),
-        ({"force_factor": -1.0}, "force factor of -1", "ALPHAF"),
-        ({"force_factor": np.nan}, "force factor of nan", "ALPHAF"),
-        ({"reach_factor": 0.0}, "reach factor of 0", "ALPHAD"),
-        ({"force_exponent": 1.5}, "exponent of the force of 1.5", "NF"),
-        ({"reach_exponent": -0.1}, "exponent of the reach of -0.1", "ND"),
-        ({"least_speed": 0.0}, "floor of the velocity of 0", ""),
+        ({"force_factor": -1.0}, "force factor of suction of -1", "ALPHAF"),
+        ({"force_factor": np.inf}, "force factor of suction of inf; give 0 or more", "ALPHAF"),
+        ({"force_factor": np.nan}, "force factor of suction of nan", "ALPHAF"),
+        ({"reach_factor": 0.0}, "reach factor of suction of 0; give more than 0", "ALPHAD"),
+        ({"force_exponent": 1.5}, "exponent of the force of suction of 1.5; give 0 to 1", "NF"),
+        ({"reach_exponent": -0.1}, "exponent of the reach of suction of -0.1", "ND"),
+        ({"least_speed": 0.0}, "least velocity of pull-out, m/s, of 0", ""),
     ],
 )
 def test_what_makes_no_pull_out(more, words: str, field: str) -> None:
@@ -244,11 +245,22 @@ def test_what_makes_no_pull_out(more, words: str, field: str) -> None:
     ("made", "words"),
     [
         (lambda: Suction(Power(), 1, 0.0, bridge()), "unloading stiffness of 0"),
-        (lambda: Suction(Power(), 1, K, bridge(), smoothing=0.0), "smoothing time of 0 s"),
+        (lambda: Suction(Power(), 1, np.inf, bridge()), "unloading stiffness of inf"),
+        (
+            lambda: Suction(Power(), 1, K, bridge(), speed=np.nan),
+            "velocity of pull-out, m/s, of nan",
+        ),
+        (
+            lambda: Suction(Power(), 1, K, bridge(), smoothing=0.0),
+            "smoothing time of the velocity, s, of 0",
+        ),
         (lambda: Suction(OneSided(Power(), 0.05), 1, 1e4, bridge()), "stiffens to a slope of"),
-        (lambda: Wear(diameter=0.0, remaining=0.5, travel_95=1.0), "a diameter and a travel"),
-        (lambda: Wear(diameter=D, remaining=0.5, travel_95=0.0), "a diameter and a travel"),
-        (lambda: Wear(diameter=D, remaining=1.5, travel_95=1.0), "1.5 of suction remains"),
+        (lambda: Wear(diameter=0.0, remaining=0.5, travel_95=1.0), "a diameter, m, of 0"),
+        (lambda: Wear(diameter=D, remaining=0.5, travel_95=0.0), "travel to 95 % of wear"),
+        (
+            lambda: Wear(diameter=D, remaining=1.5, travel_95=1.0),
+            "suction that remains of 1.5; give 0 to 1",
+        ),
     ],
 )
 def test_what_makes_no_seabed(made, words: str) -> None:

@@ -19,6 +19,7 @@ from typing import ClassVar
 import numpy as np
 
 from ..arrays import Array, Index
+from ..seabed.normal import rounded
 from ..soil.law import Law
 from ..soil.reaction import Reaction, Term
 
@@ -46,11 +47,8 @@ class Gap(Law):
         return np.full(len(self.clearance), np.inf)
 
     def evaluate(self, u: Array) -> tuple[Array, Array]:
-        depth = np.maximum(np.abs(u) - self.clearance, 0.0)
-        soft = np.minimum(depth, self.tolerance)
-        k = self.contact_stiffness
-        force = k * (depth - soft + 0.5 * soft**2 / self.tolerance)
-        return np.copysign(force, u), k * soft / self.tolerance
+        depth, slope = rounded(np.abs(u) - self.clearance, self.tolerance)
+        return np.copysign(self.contact_stiffness * depth, u), self.contact_stiffness * slope
 
 
 @dataclass(frozen=True, eq=False)

@@ -19,6 +19,7 @@ from scipy.optimize import brentq
 from ..arrays import Array
 from ..errors import InvalidData
 from ..soil.memory import Memory
+from .bounds import POSITIVE, within
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,11 +82,9 @@ def static_pull(
 
     Raises InvalidData where the numbers make no pull, and where a jump leads beyond the reach.
     """
-    if not (stiffness > 0.0 and reach > 0.0 and points > 1):
-        raise InvalidData(
-            f"a pull with a stiffness of {stiffness:g}, a reach of {reach:g} m in {points} points",
-            "give a stiffness and a reach above 0, and two points or more",
-        )
+    within("pulling stiffness", stiffness, POSITIVE)
+    within("reach of a pull, m,", reach, POSITIVE)
+    within("number of points of a pull", points, 2)
     weight = law.evaluate(np.array([start]))[0][0]
 
     def pull(y: float) -> float:

@@ -19,6 +19,7 @@ from ..arrays import Array
 from ..errors import InvalidData
 from ..soil.memory import Kept
 from ..soil.polyline import Values
+from .bounds import POSITIVE, within
 
 Surface = Literal["box", "ellipse"]
 _LEAST = 1e-150  # limit that counts as none, N/m: ratios to it would overflow
@@ -70,13 +71,9 @@ class Friction(Kept):
         spring = threshold if stiffness is None else stiffness
         if spring is None or (threshold is not None and stiffness is not None):
             raise InvalidData("friction takes a threshold or a stiffness, one of the two")
-        if not np.min(spring) > 0.0:
-            name = "stiffness" if threshold is None else "threshold"
-            raise InvalidData(f"a {name} of friction of {np.min(spring):g}", "give more than 0")
-        if not np.min(coefficient) >= 0.0:
-            raise InvalidData(
-                f"a friction coefficient of {np.min(coefficient):g}", "give 0 or more"
-            )
+        name = "stiffness" if threshold is None else "threshold"
+        within(f"{name} of friction", spring, POSITIVE)
+        within("friction coefficient", coefficient, 0.0)
         if surface not in ("box", "ellipse"):
             raise InvalidData(f"friction over a {surface}", 'give "box" or "ellipse"')
         #: mu, and threshold or stiffness, (n, 2)

@@ -6,10 +6,10 @@ from typing import ClassVar
 import numpy as np
 
 from ..arrays import Array, Flags
-from ..errors import InvalidData
 from ..soil.energy import energy
 from ..soil.memory import Memory
 from ..soil.polyline import Values
+from .bounds import POSITIVE, within
 
 _SHALLOW = 0.1  # z/D up to which the bearing factor is a square root
 _TOUCH = 1e-100  # penetration that counts as none, m: squares of forces there are nothing
@@ -23,7 +23,8 @@ class HyperbolicSoil:
         Pu = Nc su D,          Pus = -f_suc Pu,          zeta = K_max z/D
 
     diameter D, m, in contact; undrained_shear_strength su0 (Pa) at the mudline, strength_gradient
-    rho, Pa/m. Defaults a, b, K_max, f_suc, lambda_suc, lambda_rep are from memory of the paper.
+    rho, Pa/m; factor a, exponent b, normalised_stiffness K_max, suction_ratio f_suc, suction_decay
+    lambda_suc, repenetration_offset lambda_rep, whose defaults are from memory of the paper.
     """
 
     diameter: Values
@@ -37,23 +38,15 @@ class HyperbolicSoil:
     repenetration_offset: Values = 0.3
 
     def __post_init__(self) -> None:
-        for name, value, positive in (
-            ("diameter", self.diameter, True),
-            ("undrained shear strength", self.undrained_shear_strength, False),
-            ("gradient of the strength", self.strength_gradient, False),
-            ("factor a", self.factor, True),
-            ("exponent b", self.exponent, False),
-            ("normalised stiffness", self.normalised_stiffness, True),
-            ("suction ratio", self.suction_ratio, False),
-            ("suction decay", self.suction_decay, True),
-            ("repenetration offset", self.repenetration_offset, False),
-        ):
-            least = float(np.min(value))
-            if not (least > 0.0 or (least == 0.0 and not positive)):
-                raise InvalidData(
-                    f"a hyperbolic seabed with a {name} of {least:g}",
-                    "give more than 0" if positive else "give 0 or more",
-                )
+        within("diameter, m,", self.diameter, POSITIVE)
+        within("undrained shear strength, Pa,", self.undrained_shear_strength, 0.0)
+        within("gradient of the undrained shear strength, Pa/m,", self.strength_gradient, 0.0)
+        within("factor a of bearing", self.factor, POSITIVE)
+        within("exponent b of bearing", self.exponent, 0.0)
+        within("normalised stiffness", self.normalised_stiffness, POSITIVE)
+        within("suction ratio", self.suction_ratio, 0.0)
+        within("suction decay", self.suction_decay, POSITIVE)
+        within("repenetration offset", self.repenetration_offset, 0.0)
 
     def ultimate(self, z: Array) -> tuple[Array, Array]:
         """Pu at penetrations z > 0, N/m, and its derivative."""

@@ -16,10 +16,10 @@ from typing import ClassVar
 import numpy as np
 
 from ..arrays import Array
-from ..errors import InvalidData
 from ..soil.energy import energy
 from ..soil.memory import Backbone
 from ..soil.polyline import Values
+from .bounds import POSITIVE, within
 
 
 def rounded(penetration: Values, tolerance: Values) -> tuple[Array, Array]:
@@ -47,7 +47,7 @@ class OneSided:
     nodes: ClassVar[int] = 8
 
     def __post_init__(self) -> None:
-        _check(self.tolerance)
+        within("tolerance on penetration, m,", self.tolerance, POSITIVE, field="DISCON")
 
     def evaluate(self, u: Array) -> tuple[Array, Array]:
         """Force, N/m, and its derivative at penetrations u, shape (..., n)."""
@@ -75,10 +75,8 @@ class Winkler:
     nodes: ClassVar[int] = 2  # exact
 
     def __post_init__(self) -> None:
-        _check(self.tolerance)
-        least = float(np.min(self.stiffness))
-        if not least >= 0.0:
-            raise InvalidData(f"a contact stiffness of {least:g}", "give 0 or more", "KN")
+        within("contact stiffness", self.stiffness, 0.0, field="KN")
+        within("tolerance on penetration, m,", self.tolerance, POSITIVE, field="DISCON")
 
     def evaluate(self, u: Array) -> tuple[Array, Array]:
         """Force and its derivative at penetrations u, shape (..., n)."""
@@ -90,14 +88,6 @@ class Winkler:
         e, depth = self.tolerance, np.maximum(u, 0.0)
         soft, beyond = np.minimum(depth, e), np.maximum(depth - e, 0.0)
         return np.asarray(self.stiffness * (soft**3 / (6.0 * e) + 0.5 * beyond * (beyond + e)))
-
-
-def _check(tolerance: Values) -> None:
-    least = float(np.min(tolerance))
-    if not least > 0.0:
-        raise InvalidData(
-            f"a tolerance on penetration of {least:g} m", "give more than 0 m", "DISCON"
-        )
 
 
 @cache

@@ -1,16 +1,16 @@
 """How strongly a seabed holds a pipe that is pulled out, and over how long a way."""
 
 from dataclasses import dataclass
-from math import inf
 
 import numpy as np
 
 from ..arrays import Array
-from ..errors import InvalidData
 from ..soil.polyline import Values
+from .bounds import POSITIVE, within
 
 FORCE_EXPONENT, REACH_EXPONENT = 0.18, 0.26
 _FORCE, _REACH = 1.12, 0.98
+_SOONEST = 1e-6  # least of x_c1
 _SHARPEST = 0.95  # most of x_c2: beyond it suction would fall off a cliff
 
 
@@ -41,8 +41,8 @@ class PullOut:
     factors refer to v/D = 1 1/s and to v = 1 m/s.
 
     force_factor alpha_f, reach_factor alpha_D: `force_factor`, `reach_factor`, or numbers of your
-    own, (n,) or one. mobilised x_c1, released x_c2: 0 < x_c1 <= x_c2 <= 0.95. least_speed v_c, m/s:
-    the floor of v; without it F_max would vanish with v, at an infinite rate.
+    own, (n,) or one. mobilised x_c1, released x_c2: 1e-6 <= x_c1 <= x_c2 <= 0.95. least_speed v_c,
+    m/s: the floor of v; without it F_max would vanish with v, at an infinite rate.
 
     Source: F_max, Delta_B and the two cut-offs from DeepLines' theory page, which gives no numbers
     for the cut-offs: 0.12 and 0.30 are the defaults of RIFLEX (its input manual). The straight
@@ -58,21 +58,13 @@ class PullOut:
     least_speed: float = 1e-6
 
     def __post_init__(self) -> None:
-        for name, value, low, high, field in (
-            ("force factor", self.force_factor, 0.0, inf, "ALPHAF"),
-            ("exponent of the force", self.force_exponent, 0.0, 1.0, "NF"),
-            ("reach factor", self.reach_factor, np.finfo(float).tiny, inf, "ALPHAD"),
-            ("exponent of the reach", self.reach_exponent, 0.0, 1.0, "ND"),
-            ("cut-off x_c1", self.mobilised, np.finfo(float).eps, self.released, "XC1"),
-            ("cut-off x_c2", self.released, self.mobilised, _SHARPEST, "XC2"),
-            ("floor of the velocity", self.least_speed, np.finfo(float).tiny, inf, ""),
-        ):
-            if not (np.min(value) >= low and np.max(value) <= high):
-                raise InvalidData(
-                    f"suction with a {name} of {np.max(value):g}",
-                    f"give {low:.3g} to {high:g}" if high < inf else f"give {low:.3g} or more",
-                    field,
-                )
+        within("force factor of suction", self.force_factor, 0.0, field="ALPHAF")
+        within("exponent of the force of suction", self.force_exponent, 0.0, 1.0, "NF")
+        within("reach factor of suction", self.reach_factor, POSITIVE, field="ALPHAD")
+        within("exponent of the reach of suction", self.reach_exponent, 0.0, 1.0, "ND")
+        within("cut-off x_c2", self.released, _SOONEST, _SHARPEST, "XC2")
+        within("cut-off x_c1", self.mobilised, _SOONEST, self.released, "XC1")
+        within("least velocity of pull-out, m/s,", self.least_speed, POSITIVE)
 
     def force(self, speed: Values) -> Array:
         """F_max at a velocity of pull-out, N/m."""
@@ -94,7 +86,7 @@ class PullOut:
 
     # --- the shape --------------------------------------------------------------------------------
 
-    def share(self, x: Array, left: Array) -> tuple[Array, Array]:
+    def share(self, x: Array, left: Values) -> tuple[Array, Array]:
         """F/F_max at x, (n,), and its derivative; left: the most of it that is still there."""
         rise, fall = x / self.mobilised, (1.0 - x) / (1.0 - self.released)
         share = np.minimum(np.minimum(rise, left), fall)
@@ -138,10 +130,9 @@ class Wear:
     travel_95: float
 
     def __post_init__(self) -> None:
-        if not (np.min(self.diameter) > 0.0 and self.travel_95 > 0.0):
-            raise InvalidData("wear of suction needs a diameter and a travel above 0")
-        if not 0.0 <= self.remaining <= 1.0:
-            raise InvalidData(f"{self.remaining:g} of suction remains", "give 0 to 1")
+        within("diameter, m,", self.diameter, POSITIVE)
+        within("share of suction that remains", self.remaining, 0.0, 1.0)
+        within("travel to 95 % of wear, over the diameter,", self.travel_95, POSITIVE)
 
     def left(self, way: Array) -> Array:
         """d after a way, m."""

@@ -9,12 +9,12 @@ from ..errors import InvalidData
 from ..soil.energy import energy
 from ..soil.memory import Backbone, Memory
 from ..soil.polyline import Values
+from .bounds import MOST, POSITIVE, within
 from .pull_out import PullOut, Wear
 
 _GRID = np.geomspace(1e-4, 1.0, 129)  # penetrations at which a backbone is looked at, m
 _SLACK = 1e-9
 _TOUCH = 1e-100  # penetration whose energy is nothing, m
-_WHOLE = np.ones(1)
 
 
 class _Place(NamedTuple):
@@ -78,7 +78,10 @@ class Suction(Memory):
         self.backbone, self.pull_out, self.wear = backbone, pull_out, wear
         self.unloading_stiffness = np.array(np.broadcast_to(unloading_stiffness, size), dtype=float)
         self.smoothing = smoothing
-        _check(backbone, size, self.unloading_stiffness, smoothing)
+        within("unloading stiffness", unloading_stiffness, POSITIVE, field="KD")
+        within("smoothing time of the velocity, s,", smoothing, POSITIVE)
+        within("velocity of pull-out, m/s,", speed, -MOST)
+        _check_shape(backbone, size, self.unloading_stiffness)
         zero = np.zeros(size)
         #: penetration, its largest, the force and slope of the backbone there
         self.u, self.deepest, self.peak, self.slope = (zero.copy() for _ in range(4))
@@ -144,7 +147,7 @@ class Suction(Memory):
         """As `Memory.commit`; time: what the way took, s, 0 where there is none."""
         place, lift_off = self._place(u), self.lift_off
         self.pulled = self.pulled + np.where(place.bears, 0.0, self._torn(u, place))
-        released = self.pull_out.share(np.maximum(place.x, self.pull_out.released), _WHOLE)[0]
+        released = self.pull_out.share(np.maximum(place.x, self.pull_out.released), 1.0)[0]
         self.left = np.where(place.bears, 1.0, np.minimum(self.left, released))
         anchor = np.where(place.drags, u - place.force / self.stiffness, self.anchor)
         self.worn = self._worn(lift_off)
@@ -190,13 +193,8 @@ class Suction(Memory):
         return np.asarray(pressed - 0.5 * self.peak**2 / self.stiffness + self.pulled)
 
 
-def _check(backbone: Backbone, size: int, unloading: Array, smoothing: float) -> None:
-    if not unloading.min(initial=np.inf) > 0.0:
-        raise InvalidData(
-            f"an unloading stiffness of {unloading.min():g}", "give more than 0", "KD"
-        )
-    if not smoothing > 0.0:
-        raise InvalidData(f"a smoothing time of {smoothing:g} s", "give more than 0 s")
+def _check_shape(backbone: Backbone, size: int, unloading: Array) -> None:
+    """Raises InvalidData for a backbone that unloading would make give energy."""
     grid = np.repeat(_GRID[:, None], size, axis=1)
     force, slope = backbone.evaluate(grid)
     stiffens = slope * grid > force * (1.0 + _SLACK)
