@@ -14,6 +14,7 @@ PAGES = {
     for page in sorted((DOCS / "laws").glob("*.md"))
     if page.stem != "index"
 }
+SEABED_LAWS = (DOCS / "seabed_laws.md").read_text(encoding="utf-8")
 INDEX = (DOCS / "laws" / "index.md").read_text(encoding="utf-8")
 
 

@@ -29,6 +29,8 @@ soil.series soil.py_simple soil.tz_simple soil.qz_simple soil.tip_memory soil.se
 soil.memory_of
 soil.lateral_capacity soil.axial_capacity soil.required_length soil.spudcan soil.spudcan_bearing
 soil.spudcan_yield
+seabed.bounds seabed.normal seabed.friction seabed.pull_out seabed.suction
+seabed.hyperbolic seabed.breakout
 beam.__init__ beam.shapes beam.strings beam.rows beam.field beam.band beam.bubbles
 model.__init__ model.needs model.mesh model.weave model.compression model.contact model.points
 model.moduli model.springs model.system model.many model.footing model.holds model.weight
@@ -37,8 +39,8 @@ model.recover model.results model.moved model.coupling model.effects model.grid
 solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.statics solve.loaded
 solve.bordered solve.continuation solve.path solve.together solve.prolong solve.across solve.refine
 solve.accuracy solve.analysis solve.diagnosis
-solve.equations solve.stage solve.integrators solve.drive solve.moving solve.body solve.starts
-solve.dynamics solve.simulate solve.resume
+solve.equations solve.stage solve.integrators solve.conserving solve.drive solve.moving solve.body
+solve.starts solve.dynamics solve.simulate solve.resume
 solve.eigen solve.families solve.about_state solve.modes solve.plan solve.adaptive solve.pace
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.trust database.restart database.write database.foundation database.read

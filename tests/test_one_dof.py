@@ -1,10 +1,9 @@
 """Every row of the one-degree tests: by our own methods, or by the recursion that it describes."""
 
-import csv
 import re
 from collections.abc import Callable
+from functools import cache
 from math import pi, sqrt
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,11 +19,12 @@ from one_dof import (
     stick_slip,
     stick_slip_exact,
 )
+from podeep.seabed.breakout import LimitPoint, static_pull
 from podeep.solve.integrators import Weighted
 from podeep.study.oscillator import history, linear, nothing, one, power
+from seabeds import bridge, mudline, rows
 
-LINES = (Path(__file__).parent / "data" / "one_dof.csv").read_text(encoding="utf-8").splitlines()
-ROWS = {row["name"]: row for row in csv.DictReader(LINES[2:])}
+ROWS = {row["name"]: row for row in rows("09_*.csv")}
 ORDER = {"euler": 1, "rk2": 2, "rk3": 3, "rk4": 4}
 SUCTION = 1.12 * 0.3 * 5000.0 / 0.3**0.18  # alpha of D = 0.3 m, Cu = 5000 Pa
 
@@ -93,6 +93,30 @@ def slips():
     return stick_slip(1.0, 100.0, 0.1, 0.6 * 9.81, 0.4 * 9.81)
 
 
+@cache
+def snap_back(stiffness: float) -> LimitPoint | None:
+    """Where a pull of 4000 N lets go, through a spring; suction falls with 20000 N/m."""
+    law, z0 = mudline(4000.0, 0.2 / 0.7)
+    limits = static_pull(law, z0, stiffness, 4.0, 101).limits
+    assert len(limits) <= 1
+    return limits[0] if limits else None
+
+
+def threshold() -> float:
+    """The stiffness from which on nothing jumps."""
+    low, high = 1e4, 3e4
+    while high / low > 1.0 + 1e-10:
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if snap_back(middle) is None else (middle, high)
+    return low
+
+
+def jump() -> LimitPoint:
+    found = snap_back(2000.0)
+    assert found is not None
+    return found
+
+
 #: By the beginning of a row's name: its value here, and how exact it is.
 CHECKS: dict[str, tuple[Callable[[str], float], float]] = {
     "E1_": (lambda _: longest_step(500.0, linear(1e6), nothing, 0.04), 1e-6),
@@ -116,12 +140,19 @@ CHECKS: dict[str, tuple[Callable[[str], float], float]] = {
     "F5c": (lambda _: slips().force, 1e-5),
     "F6_": (lambda _: box_limit(), 1e-4),
     "S1_": (lambda name: newton_factor(given(name)["n"]), 1e-9),
+    "S2_Fmax": (lambda name: float(bridge().force(given(name)["v"])), 1e-11),
+    "S2_DeltaB": (lambda name: float(bridge().reach(given(name)["v"])), 1e-11),
     "S3_": (lambda _: pulled(600.0, 0.02, 200, Weighted.hht(-0.05)), 1e-9),
     "S4_": (
         lambda _: 2.0 * 300.0 / float(power(SUCTION, 0.18, 1e-9)(np.array([1e-3]))[1][0]),
         1e-9,
     ),
     "S5_": (lambda _: pulled(800.0, 0.05, 1, Weighted(1.0, 0.5)), 1e-9),
+    "B1_": (lambda _: threshold(), 1e-9),
+    "B2_": (lambda _: jump().growth_rate(1500.0), 1e-11),
+    "B3_": (lambda _: jump().jump, 1e-11),
+    "B4_": (lambda _: jump().energy, 1e-11),
+    "B5_": (lambda _: jump().peak_speed(1500.0), 1e-11),
 }
 
 
@@ -135,3 +166,10 @@ def test_row(name: str) -> None:
 def test_stick_slip_by_its_formula() -> None:
     exact = stick_slip_exact(1.0, 100.0, 0.1, 0.2 * 9.81)
     assert exact == pytest.approx(float(ROWS["F5_stick_slip_period"]["value"]), rel=1e-11)
+
+
+def test_terminal_velocity_by_its_formula() -> None:
+    row = ROWS["S3_terminal_velocity"]
+    assert float(bridge().terminal_speed(600.0)) == pytest.approx(float(row["value"]), rel=1e-11)
+    ratio = bridge().terminal_speed(660.0) / bridge().terminal_speed(600.0)
+    assert ratio == pytest.approx(1.1 ** (1.0 / 0.18))

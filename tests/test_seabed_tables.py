@@ -13,9 +13,10 @@ import pytest
 
 from podeep.errors import InvalidData
 from podeep.seabed import bearing
-from podeep.seabed.at_rest import node_forces, normal_force, penetration_at_rest
+from podeep.seabed.at_rest import node_forces, penetration_at_rest
 from podeep.seabed.dnv14 import Dnv14
 from podeep.seabed.models import MODELS
+from podeep.seabed.normal import Winkler
 from podeep.seabed.stiffness import pipe_stiffness
 
 DATA = Path(__file__).parent / "data" / "seabed"
@@ -42,7 +43,7 @@ def test_01_node_at_rest(row):
     forces = node_forces(at["w0_N_per_m"], at["L0_m"])
     for name, force in zip(("end", "int"), forces, strict=True):
         d = penetration_at_rest(force, k, eps)
-        back, tangent = normal_force(d, k, eps)
+        back, tangent = Winkler(k, eps).evaluate(d)
         assert float(force) == exactly(at[f"F_{name}_N"])
         assert float(d) == exactly(at[f"d_{name}_m"])
         assert float(back) == exactly(float(force))
@@ -54,11 +55,11 @@ def test_the_normal_force_and_its_slope_do_not_jump():
     k, eps = 2e5, 0.01
     places = np.array([0.0, eps])
     (below, slope_below), (above, slope_above) = (
-        normal_force(places + side, k, eps) for side in (-1e-12, 1e-12)
+        Winkler(k, eps).evaluate(places + side) for side in (-1e-12, 1e-12)
     )
     np.testing.assert_allclose(below, above, atol=1e-6 * k * eps)
     np.testing.assert_allclose(slope_below, slope_above, atol=1e-9 * k)
-    assert normal_force(-1.0, k, eps) == (0.0, 0.0)
+    assert Winkler(k, eps).evaluate(np.array(-1.0)) == (0.0, 0.0)
     # a stiffness per metre times the length of pipe: all nodes of a pipe sink alike
     w, length = 1450.0, 5.0
     sunk = [

@@ -6,7 +6,7 @@ docs/generated/laws.
 
 from pathlib import Path
 
-from . import axial, clay, layers, pisa, sand_rock, spudcan
+from . import axial, clay, layers, pisa, sand_rock, seabed, spudcan
 from .canvas import png_of
 
 FIGURES = {
@@ -34,6 +34,10 @@ FIGURES = {
         layers.lateral_capacity,
         spudcan.spudcan_yield,
         spudcan.spudcan_capacity,
+        seabed.seabed_suction_cycle,
+        seabed.seabed_suction_speed,
+        seabed.seabed_friction,
+        seabed.seabed_hyperbolic,
     )
 }
 

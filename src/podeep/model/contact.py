@@ -19,7 +19,7 @@ from typing import ClassVar
 import numpy as np
 
 from ..arrays import Array, Index
-from ..seabed.at_rest import normal_force
+from ..seabed.normal import rounded
 from ..soil.law import Law
 from ..soil.reaction import Reaction, Term
 
@@ -47,9 +47,8 @@ class Gap(Law):
         return np.full(len(self.clearance), np.inf)
 
     def evaluate(self, u: Array) -> tuple[Array, Array]:
-        depth = np.abs(u) - self.clearance
-        force, stiffness = normal_force(depth, self.contact_stiffness, self.tolerance)
-        return np.copysign(force, u), stiffness
+        depth, slope = rounded(np.abs(u) - self.clearance, self.tolerance)
+        return np.copysign(self.contact_stiffness * depth, u), self.contact_stiffness * slope
 
 
 @dataclass(frozen=True, eq=False)

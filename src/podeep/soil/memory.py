@@ -16,15 +16,28 @@ class Backbone(Protocol):
         """Force and its derivative at displacements u of shape (..., n)."""
 
 
-class Memory(ABC):
+class Kept:
+    """What has a state that can be kept and gone back to."""
+
+    #: names of the attributes that are its state, arrays all
+    kept: ClassVar[tuple[str, ...]] = ()
+
+    def state(self) -> dict[str, Array]:
+        """All that the path has left, as copies."""
+        return {name: np.array(getattr(self, name)) for name in self.kept}
+
+    def restore(self, state: Mapping[str, Array]) -> None:
+        """Go back to a `state`, to the same bits."""
+        for name in self.kept:
+            setattr(self, name, np.array(state[name]))
+
+
+class Memory(Kept, ABC):
     """A reaction at n points that depends on its path; the state is that of the last `commit`.
 
     Displacements u (m) have shape (n,); forces come in N/m along a tube, N at a tip, positive
     against a positive displacement.
     """
-
-    #: names of the attributes that are its state, arrays all
-    kept: ClassVar[tuple[str, ...]] = ()
 
     @abstractmethod
     def evaluate(self, u: Array) -> tuple[Array, Array]:
@@ -44,15 +57,6 @@ class Memory(ABC):
 
         Work is that of the force along the committed path.
         """
-
-    def state(self) -> dict[str, Array]:
-        """All that the path has left, as copies."""
-        return {name: np.array(getattr(self, name)) for name in self.kept}
-
-    def restore(self, state: Mapping[str, Array]) -> None:
-        """Go back to a `state`, to the same bits."""
-        for name in self.kept:
-            setattr(self, name, np.array(state[name]))
 
 
 class Elastic(Memory):
