@@ -1,0 +1,1 @@
+"""Lines on the seabed: pipes and risers of large rotations, their contact, statics and results."""
