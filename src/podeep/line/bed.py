@@ -37,7 +37,8 @@ class Bed:
 
     normal: force per length against penetration, N/m; friction: with as many points, or None. s,
     weight: `contact_points`. Friction acts along the horizontal tangent of the last `commit` and
-    across it; its coupling to the normal force is left out of the tangent, which stays symmetric.
+    across it, under the normal force `pressing`, N/m: with that fixed it has an energy, and the
+    tangent is symmetric. `press` brings it up to where an iteration has ended.
     """
 
     def __init__(
@@ -58,6 +59,7 @@ class Bed:
         self.size = field.size * m
         flat = self._dofs.reshape(len(self.s), -1)
         self._pairs = pairs(flat)
+        self.pressing = np.zeros(len(self.s))
         self._begun: Array | None = None
         self._along: Array = np.zeros((len(self.s), m - 1))
 
@@ -77,7 +79,7 @@ class Bed:
         force[:, -1] = -normal
         self._dragged = np.zeros((len(self.s), self.components - 1, self.components - 1))
         if self.friction is not None and self._begun is not None:
-            traction = self.friction.evaluate(self._slip(place), normal)
+            traction = self.friction.evaluate(self._slip(place), self.pressing)
             turn = self._turn
             force[:, :-1] = np.einsum("nd,ndi->ni", traction.force, turn)
             self._dragged = np.einsum("nde,ndi,nej->nij", traction.by_slip, turn, turn)
@@ -113,6 +115,18 @@ class Bed:
             return np.stack([along, np.zeros_like(along)], axis=1)
         return np.stack([along, np.stack([-along[:, 1], along[:, 0]], axis=1)], axis=1)
 
+    def press(self) -> float:
+        """Take the normal force of the last `internal` for friction; by how much that changes, N.
+
+        The change is that of the largest friction at any point.
+        """
+        if self.friction is None:
+            return 0.0
+        now = np.maximum(-self.reaction[:, -1], 0.0)
+        change = self.friction.coefficient.max(axis=1) * self.weight * np.abs(now - self.pressing)
+        self.pressing = now
+        return float(change.max())
+
     def _slip(self, place: Array) -> Array:
         """Axial and lateral way since the last commit, (n, 2), m."""
         assert self._begun is not None
@@ -121,10 +135,9 @@ class Bed:
     def commit(self, q: Array) -> None:
         """The line has come to q: anchors follow, and directions are those of the line there."""
         place = self.places(q)
-        normal = self.normal.evaluate(-place[:, -1])[0]
         if self.friction is not None:
             slip = np.zeros((len(self.s), 2)) if self._begun is None else self._slip(place)
-            self.friction.commit(slip, normal)
+            self.friction.commit(slip, self.pressing)
         slope = np.einsum("nl,nlm->nm", self._slopes, q[self._dofs])[:, :-1]
         size = np.linalg.norm(slope, axis=1, keepdims=True)
         upright = np.zeros_like(slope)

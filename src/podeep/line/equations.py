@@ -12,7 +12,7 @@ import numpy as np
 from scipy.linalg import lapack
 
 from ..arrays import Array, Index
-from ..beam.band import band_place, bandwidth, pairs, scatter, without
+from ..beam.band import band_place, band_times, bandwidth, pairs, scatter, without
 from ..beam.field import Field
 from ..beam.shapes import gauss_points
 from .bed import Bed
@@ -94,8 +94,8 @@ class LineSystem:
             total += self.bed.internal(q)
         return np.asarray(total)
 
-    def tangent(self) -> Array:
-        """Lower band of the tangent at the last `internal`, (width, size); held ones apart."""
+    def _whole_tangent(self) -> Array:
+        """Lower band of the tangent at the last `internal`, (width, size)."""
         m, (count, local) = self.components, self.field.dofs.shape
         hessian = self._strained.hessian * self._weight[:, None, None, None, None]
         hessian = hessian.reshape(count, -1, 2, m, 2, m)
@@ -111,9 +111,23 @@ class LineSystem:
         band = band.reshape((self.width, self.size), order="F")
         if self.bed is not None:
             self.bed.stiffen(band)
+        return band
+
+    def tangent(self) -> Array:
+        """Lower band of the tangent at the last `internal`, (width, size); held ones apart."""
+        return self._apart(self._whole_tangent())
+
+    def _apart(self, band: Array) -> Array:
         band = without(band, self.held)
         band[0, self.held] = 1.0
         return band
+
+    def led(self, move: Array) -> Array | None:
+        """Move of all unknowns that a small move of the held ones asks for, (size,)."""
+        band = self._whole_tangent()
+        right = -band_times(band, move)
+        right[self.held] = move[self.held]
+        return self._solve(self._apart(band), right)
 
     @property
     def diagonal(self) -> Array:
@@ -126,7 +140,9 @@ class LineSystem:
         Where the tangent is not positive definite, as of a line without tension, its diagonal is
         raised as little as makes it so: the energy still falls along the answer.
         """
-        band = self.tangent()
+        return self._solve(self.tangent(), right)
+
+    def _solve(self, band: Array, right: Array) -> Array | None:
         _, x, info = lapack.dpbsv(band.copy(order="F"), right, lower=1, overwrite_ab=1)
         if info == 0:
             return np.asarray(x)
