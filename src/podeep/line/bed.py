@@ -16,7 +16,7 @@ from ..seabed.friction import Friction
 from ..soil.memory import Backbone
 
 Form = Literal["integrated", "nodal"]
-_POINTS = 4  # more Gauss points than the degree: the reaction has a corner where a line touches down
+_POINTS = 4  # more than the degree: the reaction has a corner where a line touches down
 
 
 def contact_points(field: Field, form: Form) -> tuple[Array, Array]:
@@ -85,7 +85,7 @@ class Bed:
             self._dragged = np.einsum("nde,ndi,nej->nij", traction.by_slip, turn, turn)
         self.reaction = force
         own = self._shares[:, :, None] * (self.weight[:, None] * force)[:, None, :]
-        return np.bincount(self._dofs.ravel(), own.ravel(), self.size)
+        return scatter(self._dofs, own, self.size)
 
     def stiffen(self, band: Array) -> None:
         """Add the tangent at the last `internal` to a lower band, (width, size)."""

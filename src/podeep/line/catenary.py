@@ -9,7 +9,7 @@ Source: Jonkman, NREL/TP-500-41958 (2007), section 2.5, as MAP++ and MoorPy have
 """
 
 from dataclasses import dataclass
-from math import asinh, hypot, inf, sqrt
+from math import asinh, exp, hypot, inf, log, log1p, sqrt
 
 import numpy as np
 from scipy.optimize import brentq, root
@@ -89,8 +89,8 @@ def _tensions(
     hanging = min(hypot(span, height), length)
     guess = _inextensible(span, height, length) * W
     start = np.log([max(guess, 1e-3 * W * hanging), W * hanging])
-    for first in (start, start + [1.0, 0.0], start - [2.0, 0.0], start + [3.0, 1.0]):
-        found = root(misses, first, method="hybr", options={"xtol": 1e-14})
+    for more in ((0.0, 0.0), (1.0, 0.0), (-2.0, 0.0), (3.0, 1.0)):
+        found = root(misses, start + np.array(more), method="hybr", options={"xtol": 1e-14})
         if np.abs(misses(found.x)).max() < 1e-9 * length:
             H, V = np.exp(found.x).tolist()
             return H, V
@@ -126,7 +126,8 @@ def shape(
     way = hypot(span, high - low)
     if length <= way * (1.0 + 1e-9):
         direction = np.array([span, high - low]) / way
-        return np.outer(s * way / length, direction) + [0.0, low], np.tile(direction, (len(s), 1)), inf
+        places = np.outer(s * way / length, direction) + np.array([0.0, low])
+        return places, np.tile(direction, (len(s), 1)), inf
     h, first, second = _two_sided(span, low, high, length)
     if first + second <= length:  # hangs from both ends, lies in between
         left, right = first - s, s - (length - second)
@@ -170,7 +171,7 @@ def _hanging(span: float, rise: float, length: float) -> tuple[float, float]:
 
     def excess(h: float) -> float:  # 2 h sinh(span/2h) = chord, without overflow
         x = span / (2.0 * h)
-        return np.log(2.0 * h / chord) + x + np.log1p(-np.exp(-2.0 * x)) - np.log(2.0)
+        return log(h / chord) + x + log1p(-exp(-2.0 * x))
 
     h = float(brentq(excess, 1e-4 * span, 1e5 * span))
     middle = h * np.arctanh(np.clip(rise / length, -1.0 + 1e-15, 1.0 - 1e-15))

@@ -6,7 +6,6 @@ at a state, solutions with the tangent there.
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from scipy.linalg import lapack
@@ -18,6 +17,7 @@ from ..beam.shapes import gauss_points
 from .bed import Bed
 from .rod import strained
 
+_FAR = 10.0  # times its length: how far from the origin a line may be
 _SHIFTS = (1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4)  # of the diagonal, where the tangent has to be raised
 
 
@@ -44,7 +44,9 @@ class LineSystem:
         self.field, self.components, self.sections = field, components, sections
         self.held, self.bed = held, bed
         self.size = field.size * components
-        self.length = float(field.edges[-1] - field.edges[0])
+        self.unstretched_length = float(field.edges[-1] - field.edges[0])
+        #: no unknown of a line that is held gets as large as that, m
+        self.length = _FAR * self.unstretched_length
         m = components
         elements = len(field.lengths)
         xi, weight = gauss_points(field.degree)
@@ -61,7 +63,6 @@ class LineSystem:
         i, j, rows, columns = pairs(self._dofs)
         self._pairs, self._places = (i, j), band_place(rows, columns, self.width)
         self.load = self._dead(value)
-        self.internal(self._straight)
 
     def _dead(self, value: Array) -> Array:
         """Forces of the weight, (size,)."""
@@ -69,16 +70,6 @@ class LineSystem:
         total = np.zeros((self.field.size, self.components))
         np.subtract.at(total[:, -1], self.field.dofs, np.einsum("enl,en->el", value, weight))
         return total.ravel()
-
-    @cached_property
-    def _straight(self) -> Array:
-        """The line straight along its first component."""
-        field = self.field
-        q = np.zeros((field.size, self.components))
-        for node in range(len(field.edges)):
-            first = field.node(float(field.edges[node]))
-            q[first, 0], q[first + 1, 0] = field.edges[node], field.slope_length
-        return q.ravel()
 
     def internal(self, q: Array) -> Array:
         """Internal forces and what the seabed resists at q, (size,)."""
@@ -89,10 +80,10 @@ class LineSystem:
         force = (self._strained.gradient * self._weight[:, None, None]).reshape(count, -1, 2, m)
         own = np.einsum("enl,enm->elm", self._slope, force[:, :, 0])
         own += np.einsum("enl,enm->elm", self._bend, force[:, :, 1])
-        total = np.bincount(self._dofs.ravel(), own.ravel(), self.size)
+        total = scatter(self._dofs, own, self.size)
         if self.bed is not None:
             total += self.bed.internal(q)
-        return np.asarray(total)
+        return total
 
     def _whole_tangent(self) -> Array:
         """Lower band of the tangent at the last `internal`, (width, size)."""
@@ -107,8 +98,8 @@ class LineSystem:
                 whole += np.einsum("enl,enij,enk->elikj", left, part, right, optimize=True)
         i, j = self._pairs
         entries = whole.reshape(count, local * m, local * m)[:, i, j]
-        band = scatter(self._places, entries, self.width * self.size)
-        band = band.reshape((self.width, self.size), order="F")
+        flat = scatter(self._places, entries, self.width * self.size)
+        band: Array = flat.reshape((self.width, self.size), order="F")
         if self.bed is not None:
             self.bed.stiffen(band)
         return band
@@ -118,9 +109,9 @@ class LineSystem:
         return self._apart(self._whole_tangent())
 
     def _apart(self, band: Array) -> Array:
-        band = without(band, self.held)
-        band[0, self.held] = 1.0
-        return band
+        apart: Array = without(band, self.held)
+        apart[0, self.held] = 1.0
+        return apart
 
     def led(self, move: Array) -> Array | None:
         """Move of all unknowns that a small move of the held ones asks for, (size,)."""
@@ -132,7 +123,7 @@ class LineSystem:
     @property
     def diagonal(self) -> Array:
         """Of the tangent at the last `internal`, (size,)."""
-        return np.abs(self.tangent()[0])
+        return np.asarray(np.abs(self.tangent()[0]))
 
     def solve(self, right: Array) -> Array | None:
         """Solve with the tangent at the last `internal`; None where that cannot be done.
@@ -154,7 +145,9 @@ class LineSystem:
                 return np.asarray(x)
         return None
 
-    solve_by_secants = solve
+    def solve_by_secants(self, right: Array) -> Array | None:
+        """As `solve`: the tangent is what a line has."""
+        return self.solve(right)
 
     def total_reaction(self) -> float:
         """Magnitudes of what the seabed gives at the last `internal`, added up, N."""

@@ -4,13 +4,13 @@ Contact with friction depends on the way: the load path is that of the stages, e
 that are as long as Newton's method finds equilibrium in.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..arrays import Array
-from ..solve.newton import Ending, Limits, Outcome, Work, largest, newton
+from ..solve.newton import Ending, Limits, Outcome, Scale, Work, largest, newton
 from .equations import LineSystem
 
 _LONGEST, _SHORTEST = 0.25, 2.0**-20  # parts of a stage
@@ -31,11 +31,13 @@ class Stage:
 class LineState:
     """Equilibrium at the end of a stage, or where it stopped.
 
-    q: unknowns; forces: what holds the held unknowns, (held,), N; reached: part of the stage;
-    ending: CONVERGED, or why it stopped; parts, work: what it took.
+    q: unknowns; load: the factor on the load; forces: what holds the held unknowns, (held,), N;
+    reached: part of the stage; ending: CONVERGED, or why it stopped; residual: force out of balance
+    over the largest one; parts, work: what it took.
     """
 
     q: Array
+    load: float
     forces: Array
     reached: float
     ending: Ending
@@ -45,94 +47,86 @@ class LineState:
 
 
 def laid(system: LineSystem, start: Array, limits: Limits) -> LineState:
-    """The line laid down without friction from a shape `start` that is near to it, (size,)."""
-    outcome = newton(system, start, system.load, limits)  # type: ignore[arg-type]
+    """The line laid down without friction, from a shape `start` that is near to it, (size,)."""
+    outcome = newton(system, start, system.load, limits, _scale(system))
+    forces = (system.internal(outcome.q) - system.load)[system.held]
     if system.bed is not None and outcome.ending is Ending.CONVERGED:
-        system.internal(outcome.q)
         system.bed.press()
         system.bed.commit(outcome.q)
-    return _state(system, outcome.q, 1.0, outcome.ending, outcome.residual, 1, outcome.work)
-
-
-def _pressed(system: LineSystem, q: Array, load: Array, limits: Limits) -> Outcome:
-    """Equilibrium whose friction goes with its own normal force."""
-    work, force = Work(), largest(load)
-    for _ in range(_PRESSES):
-        outcome = newton(system, q, load, limits)  # type: ignore[arg-type]
-        work.iterations += outcome.work.iterations
-        work.evaluations += outcome.work.evaluations
-        if outcome.ending is not Ending.CONVERGED or system.bed is None:
-            break
-        if system.bed.press() <= limits.residual * max(force, largest(outcome.internal)):
-            break
-        q = outcome.q
-    else:
-        outcome = replace(outcome, ending=Ending.EXHAUSTED)
-    return replace(outcome, work=work)
-
-
-def _state(
-    system: LineSystem,
-    q: Array,
-    reached: float,
-    ending: Ending,
-    residual: float,
-    parts: int,
-    work: Work,
-    load: float = 1.0,
-) -> LineState:
-    forces = (system.internal(q) - load * system.load)[system.held]
-    return LineState(q, forces, reached, ending, residual, parts, work)
+    told = (outcome.ending, outcome.residual, 1, outcome.work)
+    return LineState(outcome.q, 1.0, forces, 1.0, *told)
 
 
 def follow(
-    system: LineSystem, start: Array, stages: list[Stage], limits: Limits, load: float = 1.0
+    system: LineSystem, start: LineState, stages: Iterable[Stage], limits: Limits
 ) -> Iterator[LineState]:
     """Yield the state at the end of each stage; the last one is where a stage stopped, if any does.
 
-    start: equilibrium with friction committed; load: the factor on the load there.
+    start: where the line was laid, or an earlier stage has ended. Raises ValueError where that is
+    no equilibrium.
     """
-    q = start
+    if start.ending is not Ending.CONVERGED:
+        raise ValueError(f"stages begin in equilibrium, but: {start.ending.value}")
+    state = start
     for stage in stages:
-        state, q, load = _stage(system, q, load, stage, limits)
+        state = _stage(system, state, stage, limits)
         yield state
         if state.ending is not Ending.CONVERGED:
             return
 
 
-def _stage(
-    system: LineSystem, q: Array, load: float, stage: Stage, limits: Limits
-) -> tuple[LineState, Array, float]:
-    patient = Limits(limits.residual, limits.increment, min(_PATIENCE, limits.iterations))
-    begin, first = q[system.held].copy(), load
-    reached, part, parts, work, residual = 0.0, _LONGEST, 0, Work(), 0.0
-    while reached < 1.0:
+def _stage(system: LineSystem, start: LineState, stage: Stage, limits: Limits) -> LineState:
+    limits = replace(limits, iterations=min(_PATIENCE, limits.iterations))
+    q, load, begin = start.q, start.load, start.q[system.held]
+    work, part, parts, reached, residual = Work(), _LONGEST, 0, 0.0, start.residual
+    while True:
         target = min(reached + part, 1.0)
-        factor = first + target * (stage.load - first)
+        factor = start.load + target * (stage.load - start.load)
         move = np.zeros_like(q)
         move[system.held] = begin + target * (stage.held - begin) - q[system.held]
-        system.internal(q)
-        led = system.led(move)
-        guess = q + (move if led is None else led)
-        outcome = _pressed(system, guess, factor * system.load, patient)
+        outcome = _part(system, q, move, factor * system.load, limits)
         work.iterations += outcome.work.iterations
         work.evaluations += outcome.work.evaluations
         if outcome.ending is Ending.CONVERGED:
-            q, reached, load, residual = outcome.q, target, factor, outcome.residual
-            parts += 1
-            if system.bed is not None:
-                system.bed.commit(q)
+            q, load, residual = outcome.q, factor, outcome.residual
+            reached, parts = target, parts + 1
             if outcome.work.iterations <= _EASY:
                 part = min(2.0 * part, _LONGEST)
-        elif part > _SHORTEST:
-            part *= 0.5
         else:
-            return (
-                _state(
-                    system, q, reached, outcome.ending, outcome.residual, parts, work, load
-                ),
-                q,
-                load,
-            )
-    state = _state(system, q, 1.0, Ending.CONVERGED, residual, parts, work, load)
-    return state, q, load
+            part *= 0.5
+        if reached == 1.0 or part < _SHORTEST:
+            forces = (system.internal(q) - load * system.load)[system.held]
+            told = (reached, outcome.ending, residual, parts, work)
+            return LineState(q, load, forces, *told)
+
+
+def _scale(system: LineSystem) -> Scale:
+    """What a line without loads is at rest against: a share of EA."""
+    return Scale(force=float(system.sections.axial.max()))
+
+
+def _part(system: LineSystem, q: Array, move: Array, load: Array, limits: Limits) -> Outcome:
+    """Equilibrium after a move of the held unknowns, whose friction goes with its normal force.
+
+    The bed stays where it was if none is found.
+    """
+    system.internal(q)
+    led = system.led(move)
+    start, bed, work = q + (move if led is None else led), system.bed, Work()
+    pressing = None if bed is None else bed.pressing
+    for _ in range(_PRESSES):
+        outcome = newton(system, start, load, limits, _scale(system))
+        start = outcome.q
+        work.iterations += outcome.work.iterations
+        work.evaluations += outcome.work.evaluations
+        if outcome.ending is not Ending.CONVERGED or bed is None:
+            break
+        bearable = limits.residual * max(largest(load), largest(outcome.internal))
+        if bed.press() <= bearable:
+            bed.commit(outcome.q)
+            break
+    else:
+        outcome = replace(outcome, ending=Ending.EXHAUSTED)
+    if bed is not None and pressing is not None and outcome.ending is not Ending.CONVERGED:
+        bed.pressing = pressing
+    return replace(outcome, work=work)

@@ -4,13 +4,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 from math import isfinite
-from typing import Literal
+from typing import Literal, Protocol
 
 import numpy as np
 from scipy.linalg import blas
 
-from ..arrays import Array
-from ..model.system import System
+from ..arrays import Array, Index
 
 _CUT = 0.5  # a step is accepted when the slope of the energy fell to this share
 _SEARCHES = 40
@@ -82,9 +81,38 @@ class Outcome:
     work: Work
 
 
+class Equilibrium(Protocol):
+    """What Newton's method needs of equations; solutions are with the tangent where `internal` was
+    asked last."""
+
+    @property
+    def held(self) -> Index:
+        """Unknowns that keep their values."""
+
+    @property
+    def length(self) -> float:
+        """Of the tube or line, m."""
+
+    @property
+    def diagonal(self) -> Array:
+        """Of the stiffness, (size,): what rounding of the unknowns makes forces of."""
+
+    def internal(self, q: Array) -> Array:
+        """Internal forces at q, (size,)."""
+
+    def solve(self, right: Array) -> Array | None:
+        """Solution with the tangent; None for a mechanism."""
+
+    def solve_by_secants(self, right: Array) -> Array | None:
+        """Solution with secant moduli."""
+
+    def total_reaction(self) -> float:
+        """Magnitudes of the soil's reaction, added up, N."""
+
+
 @np.errstate(over="ignore", invalid="ignore")  # what runs away is told as a mechanism
 def newton(
-    system: System, start: Array, load: Array, limits: Limits, scale: Scale = NO_SCALE
+    system: Equilibrium, start: Array, load: Array, limits: Limits, scale: Scale = NO_SCALE
 ) -> Outcome:
     """Equilibrium of `system` under `load` (shape (n,)) from the unknowns `start`.
 
@@ -163,7 +191,7 @@ def largest(x: Array) -> float:
 
 
 def unmoved(
-    system: System,
+    system: Equilibrium,
     q: Array,
     step: Array,
     forces: tuple[float, float],
@@ -182,7 +210,7 @@ def unmoved(
     )
 
 
-def rounding(system: System, q: Array) -> Array:
+def rounding(system: Equilibrium, q: Array) -> Array:
     """What rounding alone may leave of the residual, N; q: shape (..., size)."""
     return np.asarray(64.0 * _EPS * (system.diagonal * np.abs(q)).max(axis=-1))
 
