@@ -9,7 +9,7 @@ SOURCE = Path(__file__).parents[1] / "src" / "podeep"
 
 #: Every module, lowest first: a file imports only from files above it in this list.
 ORDER = """
-__init__ arrays errors files units tubes motion scene
+__init__ arrays errors files units tubes motion lines scene
 soil.__init__ soil.group soil.polyline soil.law
 seabed.__init__ seabed.parameters seabed.bearing seabed.at_rest seabed.law seabed.powers
 seabed.verley_lund seabed.f114 seabed.dnv14 seabed.audibert seabed.models seabed.stiffness
