@@ -1,6 +1,5 @@
-"""Lines (pipes, risers) and the seabed under them, as plain data in SI units, z up from sea level."""
+"""Lines (pipes, risers) and the seabed under them, as plain data in SI, z up from sea level."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from math import hypot, pi, sqrt
 from typing import Literal
@@ -60,9 +59,9 @@ class LineSection(Wall):
 class LineEnd:
     """An end of a line: end 1 is where its sections begin, end 2 where they end.
 
-    position: of the axis, x, y and elevation, m. held: which of X, Y and Z are held there, or moved.
-    direction: in which the line leaves the end, of any length, where its direction is held; None
-    lets it turn.
+    position: of the axis, x, y and elevation, m. held: which of X, Y and Z are held there, or
+    moved. direction: in which the line leaves the end, of any length, where its direction is held;
+    None lets it turn.
     """
 
     number: Literal[1, 2]
@@ -72,7 +71,9 @@ class LineEnd:
 
     def __post_init__(self) -> None:
         if self.direction is not None and not hypot(*self.direction) > 0.0:
-            raise InvalidData("a direction of length 0", "give one of DX, DY, DZ other than 0", "DX")
+            raise InvalidData(
+                "a direction of length 0", "give one of DX, DY, DZ other than 0", "DX"
+            )
 
     @property
     def tangent(self) -> Point | None:
@@ -122,7 +123,7 @@ class Line:
         return sum(section.length for section in self.sections)
 
     @property
-    def span(self) -> float:
+    def distance(self) -> float:
         """The straight way between the ends, m."""
         one, other = (end.position for end in self.ends)
         return sqrt(sum((a - b) ** 2 for a, b in zip(one, other, strict=True)))
@@ -134,10 +135,10 @@ class SeabedContact:
 
     axial_friction, lateral_friction: coefficients mu; axial_threshold, lateral_threshold: slips at
     which they are reached, m, more than 0 (friction that is rigid to its limit cannot be solved).
-    stiffness: N/m2, that is N/m per metre of line; None where that of a soil holds, `soil_stiffness`
-    by its id. suction: its id, None for none. surface: limits of friction along and across
-    separately ("box"), or together. form: the reaction integrated along the line or lumped at its
-    nodes. tolerance: penetration over which the contact takes hold, m.
+    stiffness: N/m2, N/m per metre of line; None where that of a soil holds, `soil_stiffness` by its
+    id. suction: its id, None for none. surface: limits of friction along and across separately
+    ("box"), or together. form: the reaction integrated along the line or lumped at its nodes.
+    tolerance: penetration over which the contact takes hold, m.
     """
 
     line: int
@@ -260,8 +261,3 @@ class LineMotion:
     def moves_in_time(self) -> bool:
         """Whether it has waves or a record."""
         return bool(self.waves or self.times)
-
-
-def held_by(ends: Sequence[LineEnd], dof: Dof) -> bool:
-    """Whether one of some ends holds a degree of freedom."""
-    return any(end.holds(dof) for end in ends)

@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import Literal
 
 from .errors import InvalidData
+from .lines import TRANSLATIONS as TRANSLATIONS
 from .lines import Line as Line
 from .lines import LineEnd as LineEnd
 from .lines import LineMotion as LineMotion
