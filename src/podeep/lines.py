@@ -1,7 +1,7 @@
 """Lines (pipes, risers) and the seabed under them, as plain data in SI, z up from sea level."""
 
 from dataclasses import dataclass
-from math import hypot, pi, sqrt
+from math import dist, hypot, pi
 from typing import Literal
 
 from .errors import InvalidData
@@ -126,7 +126,7 @@ class Line:
     def distance(self) -> float:
         """The straight way between the ends, m."""
         one, other = (end.position for end in self.ends)
-        return sqrt(sum((a - b) ** 2 for a, b in zip(one, other, strict=True)))
+        return dist(one, other)
 
 
 @dataclass(frozen=True, slots=True)

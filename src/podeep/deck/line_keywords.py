@@ -4,13 +4,17 @@ from .column import IDS, NOT_NEGATIVE, POSITIVE, Bounds, Column, Keyword, Row
 
 _IGR = Column("IGR", "line", bounds=IDS, key="line", kind="integer")
 _END = Column("END", "end of it", key="end", kind="integer", choices=("1", "2"))
+_WIDTH, _DENSITY, _PLACE = Bounds(1e-5, 1e3), Bounds(0.0, 1e6), Bounds(-1e7, 1e7)
+_MOVED = Bounds(-1e6, 1e6)
 _DOFS = ("X", "Y", "Z", "RX", "RY", "RZ")
 _DOF = Column("DOF", "degree of freedom", key="dof", kind="word", choices=_DOFS)
 _PHASE = Column("PHASE", "phase at t = 0", "deg", key="phase", default=0.0)
 
 
 def _override(name: str, meaning: str, unit: str, key: str, otherwise: str) -> Column:
-    return Column(name, meaning, unit, POSITIVE, key, named=True, otherwise=f"from {otherwise}")
+    return Column(
+        name, meaning, unit, Bounds(1e-9, 1e25), key, named=True, otherwise=f"from {otherwise}"
+    )
 
 
 def _direction(axis: str) -> Column:
@@ -18,6 +22,7 @@ def _direction(axis: str) -> Column:
         f"D{axis}",
         f"{axis.lower()} of the held direction in which the line leaves the end",
         "-",
+        _PLACE,
         named=True,
         otherwise="horizontal, towards the other end",
     )
@@ -37,13 +42,11 @@ LINE = Keyword(
         Row(
             "sections from end 1 to end 2",
             (
-                Column("LENGTH", "unstretched length", "m", POSITIVE, "length"),
-                Column("OD", "outer diameter", "m", POSITIVE, "outer_diameter"),
-                Column(
-                    "WT", "wall thickness, OD/2 for a solid bar", "m", POSITIVE, "wall_thickness"
-                ),
-                Column("E", "Young's modulus", "Pa", POSITIVE, "youngs_modulus"),
-                Column("RHO", "density", "kg/m3", NOT_NEGATIVE, "density"),
+                Column("LENGTH", "unstretched length", "m", Bounds(1e-3, 1e8), "length"),
+                Column("OD", "outer diameter", "m", _WIDTH, "outer_diameter"),
+                Column("WT", "wall thickness, OD/2 for a solid bar", "m", _WIDTH, "wall_thickness"),
+                Column("E", "Young's modulus", "Pa", Bounds(1.0, 1e15), "youngs_modulus"),
+                Column("RHO", "density", "kg/m3", _DENSITY, "density"),
                 Column(
                     "NEL",
                     "number of elements, 0 for what *ACCURACY asks for",
@@ -65,7 +68,7 @@ LINE = Keyword(
                     "CA",
                     "added-mass coefficient",
                     "-",
-                    NOT_NEGATIVE,
+                    Bounds(0.0, 1e6),
                     "added_mass_coefficient",
                     named=True,
                     default=1.0,
@@ -74,7 +77,7 @@ LINE = Keyword(
                     "FILL",
                     "density of the contents",
                     "kg/m3",
-                    NOT_NEGATIVE,
+                    _DENSITY,
                     "fill_density",
                     named=True,
                     default=0.0,
@@ -103,8 +106,8 @@ END = Keyword(
                     kind="integer",
                     choices=("1", "2"),
                 ),
-                *(Column(a, f"{a.lower()} of the line's axis", "m") for a in "XY"),
-                Column("Z", "elevation of the line's axis, from sea level", "m"),
+                *(Column(a, f"{a.lower()} of the line's axis", "m", _PLACE) for a in "XY"),
+                Column("Z", "elevation of the line's axis, from sea level", "m", _PLACE),
                 *(_direction(a) for a in "XYZ"),
             ),
             (
@@ -146,14 +149,14 @@ MOTION = Keyword(
             "a displacement of the steps",
             (
                 _DOF,
-                Column("VALUE", "displacement or rotation from *END", "m or degrees"),
+                Column("VALUE", "displacement or rotation from *END", "m or degrees", _MOVED),
             ),
         ),
         Row(
             "a wave, in motion",
             (
                 _DOF,
-                Column("AMPLITUDE", "amplitude", "m or degrees"),
+                Column("AMPLITUDE", "amplitude", "m or degrees", _MOVED),
                 Column("PERIOD", "period", "s", POSITIVE, "period"),
                 _PHASE,
                 Column(

@@ -81,8 +81,16 @@ def _read(
     if recorded:
         _take_record(head, rows, line, found, faults)
         return
+    strange = False  # one fault is enough for a long record
     for row in rows:
-        _take_term(head, row, line, found, actions, faults)
+        if row[0].name or row[0].text.upper() in DOFS:
+            _take_term(head, row, line, found, actions, faults)
+        elif not strange:
+            strange, actions.complete = True, False
+            message = f"'{row[0].text}' stands where a degree of freedom is expected"
+            which = f"{head.cells['IGR']} {head.cells['END']}"
+            remedy = f"one end a keyword; a record names what it moves: *MOTION {which} X Y Z"
+            faults.add(row[0].place, message, remedy)
 
 
 def _moved(
@@ -122,16 +130,8 @@ def _take_term(
     faults: Faults,
 ) -> None:
     """Take in a displacement of the steps, or a wave."""
-    first = row[0]
-    if not first.name and first.text.upper() not in DOFS:
-        igr, end = head.cells["IGR"], head.cells["END"]
-        message = f"'{first.text}' stands where a degree of freedom is expected"
-        remedy = f"one end a keyword; a record names what it moves: {igr} {end} X Y Z"
-        faults.add(first.place, message, remedy)
-        actions.complete = False
-        return
     is_wave = sum(not f.name for f in row) > 2 or any(f.name in _OF_WAVES for f in row)
-    values = read_row(row, _WAVE if is_wave else _TARGET, _MOTION, first.place, faults)
+    values = read_row(row, _WAVE if is_wave else _TARGET, _MOTION, row[0].place, faults)
     name = str(head.cells.get("NAME", f"L{head.cells['IGR']}E{head.cells['END']}"))
     if not is_wave:  # one at fault still names its displacement
         name = actions.names.setdefault(name.upper(), name)

@@ -2,7 +2,7 @@
 
 from ..seabed.models import MODELS, NOT_FOUND, Model
 from ..seabed.parameters import Parameter
-from .column import IDS, NOT_NEGATIVE, POSITIVE, Bounds, Column, Keyword, Row
+from .column import IDS, POSITIVE, Bounds, Column, Keyword, Row
 
 
 def _column(model: Model, parameter: Parameter) -> Column:
@@ -66,7 +66,7 @@ SUCTION = Keyword(
                     "ALPHAF",
                     "factor of the force per length",
                     "N/m at 1 m/s",
-                    NOT_NEGATIVE,
+                    Bounds(0.0, 1e12),
                     "force_factor",
                     otherwise="0, for 1.12 OD CU / OD^NF",
                     none_at_zero=True,
@@ -78,7 +78,7 @@ SUCTION = Keyword(
                     "ALPHAD",
                     "factor of the way to breakout",
                     "m at 1 m/s",
-                    NOT_NEGATIVE,
+                    Bounds(0.0, 1e6),
                     "reach_factor",
                     otherwise="0, for 0.98 OD",
                     none_at_zero=True,
@@ -112,7 +112,7 @@ SUCTION = Keyword(
                     "V",
                     "velocity of pull-out where statics have no time",
                     "m/s",
-                    NOT_NEGATIVE,
+                    Bounds(0.0, 1e3),
                     "speed",
                     named=True,
                     default=0.0,

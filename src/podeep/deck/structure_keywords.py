@@ -156,7 +156,7 @@ def _threshold(name: str, direction: str) -> Column:
         name,
         f"slip {direction} at which friction is reached",
         "m",
-        NOT_NEGATIVE,
+        Bounds(0.0, 1e6),
         f"{'axial' if name == 'XSEUIL2' else 'lateral'}_threshold",
         otherwise="0.001, for 0 as well: rigid friction is not solved",
         none_at_zero=True,
@@ -233,23 +233,28 @@ TYPCONTACT = Keyword(
                     "MU2",
                     "friction along the line",
                     "-",
-                    NOT_NEGATIVE,
+                    Bounds(0.0, 1e6),
                     "axial_friction",
                     default=0.0,
                 ),
                 Column(
-                    "MU3", "friction across it", "-", NOT_NEGATIVE, "lateral_friction", default=0.0
+                    "MU3",
+                    "friction across it",
+                    "-",
+                    Bounds(0.0, 1e6),
+                    "lateral_friction",
+                    default=0.0,
                 ),
                 Column(
                     "KN",
                     "stiffness of a contact, 0: by ID1, or KN_SOL of *CONTACT",
                     "N/m",
-                    NOT_NEGATIVE,
+                    Bounds(0.0, 1e15),
                     default=0.0,
                 ),
                 _threshold("XSEUIL2", "along"),
                 _threshold("XSEUIL3", "across"),
-                Column("DENSITY", "contacts per length", "1/m", POSITIVE, default=1.0),
+                Column("DENSITY", "contacts per length", "1/m", Bounds(1e-6, 1e6), default=1.0),
                 _idle("CRIT_PROX", "distance of the original's search, no effect here"),
                 _unread("L_MINI", "value of the original"),
                 Column(
@@ -300,11 +305,11 @@ TYPCONTACT = Keyword(
     ),
     "*TYPCONTACT\n1 2 2 0.2 0 1e8 GAP=0.02\n"
     "0 11 3 0.3 0.6 5e4 0.01 0.03 1 10 0 0 1 SURFACE=ELLIPSE",
-    "The original's 22 values; ITYP12 tells which of the two layouts they have. KN times DENSITY is "
-    "the stiffness per length. Of tubes: those without use may be 0 or left out; without gap and "
-    "friction, a rigid contact lets the tubes deflect as one and stretch apart. Of the seabed: ID1 "
-    "names a *SOILSTIFF, in place of KN, and ID2 a *SUCTION; what is not read has to be 0 or left "
-    "out. Lines on lines, ITYP12 = 1, are not read by this version.",
+    "The original's 22 values; ITYP12 tells which of the two layouts they have. KN times DENSITY "
+    "is the stiffness per length. Of tubes: those without use may be 0 or left out; without gap "
+    "and friction, a rigid contact lets the tubes deflect as one and stretch apart. Of the seabed: "
+    "ID1 names a *SOILSTIFF, in place of KN, and ID2 a *SUCTION; what is not read has to be 0 or "
+    "left out. Lines on lines, ITYP12 = 1, are not read by this version.",
 )
 
 CONTACT = Keyword(
@@ -327,7 +332,7 @@ CONTACT = Keyword(
                     "DISCON",
                     "penetration over which a contact takes hold",
                     "m",
-                    POSITIVE,
+                    Bounds(0.0, 1e6, open=True),
                     "tolerance",
                     default=1e-4,
                 ),
@@ -336,7 +341,7 @@ CONTACT = Keyword(
                     "KN_SOL",
                     "stiffness of the seabed where *TYPCONTACT has none",
                     "N/m",
-                    NOT_NEGATIVE,
+                    Bounds(0.0, 1e15),
                     "seabed_stiffness",
                     default=0.0,
                 ),
