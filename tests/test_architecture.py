@@ -9,17 +9,17 @@ SOURCE = Path(__file__).parents[1] / "src" / "podeep"
 
 #: Every module, lowest first: a file imports only from files above it in this list.
 ORDER = """
-__init__ arrays errors files units tubes motion scene
+__init__ arrays errors files units tubes motion lines scene
 soil.__init__ soil.group soil.polyline soil.law
 seabed.__init__ seabed.parameters seabed.bearing seabed.at_rest seabed.law seabed.powers
 seabed.verley_lund seabed.f114 seabed.dnv14 seabed.audibert seabed.models seabed.stiffness
-seabed.lay
+seabed.lay seabed.bounds seabed.pull_out
 deck.__init__ deck.faults deck.scan deck.column deck.curve_columns deck.ground_keywords
 deck.py_keyword deck.tz_keyword deck.structure_keywords deck.action_keywords deck.motion_keywords
-deck.analysis_keywords deck.seabed_keyword deck.keywords deck.cells deck.registry deck.curves
-deck.ground deck.seabed
-deck.structure deck.foundations deck.actions deck.steps deck.histories deck.ties
-deck.paragraphs deck.dynamics deck.read
+deck.analysis_keywords deck.seabed_keyword deck.line_keywords deck.keywords deck.cells
+deck.registry deck.paragraphs deck.curves deck.ground
+deck.structure deck.lines deck.seabed deck.seabed_contacts deck.foundations deck.actions
+deck.steps deck.histories deck.line_motions deck.ties deck.dynamics deck.read
 soil.backbone soil.soft_clay soil.sand soil.initial_line soil.stiff_clay
 soil.weak_rock
 soil.reese_sand soil.iso_clay soil.pisa_fits soil.pisa soil.lateral soil.axial soil.layering
@@ -29,7 +29,7 @@ soil.series soil.py_simple soil.tz_simple soil.qz_simple soil.tip_memory soil.se
 soil.memory_of
 soil.lateral_capacity soil.axial_capacity soil.required_length soil.spudcan soil.spudcan_bearing
 soil.spudcan_yield
-seabed.bounds seabed.normal seabed.friction seabed.pull_out seabed.suction
+seabed.normal seabed.friction seabed.suction
 seabed.hyperbolic seabed.breakout
 beam.__init__ beam.shapes beam.strings beam.rows beam.field beam.band beam.bubbles
 model.__init__ model.needs model.mesh model.weave model.compression model.contact model.points
@@ -48,9 +48,9 @@ database.__init__ database.schema database.envelope database.layout database.tar
 database.trust database.restart database.write database.foundation database.read
 demand embedded capacity
 risks.__init__ risks.ranges risks.risk risks.curves risks.site risks.piles risks.bearing
-risks.motion risks.seabed
-checks record describe_motion describe report stiffness seabed_report capacity_report query table
-picture figure
+risks.motion risks.seabed risks.lines
+checks record describe_motion describe_lines describe report stiffness seabed_report
+capacity_report query table picture figure
 soil_figure modes_report modes_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result

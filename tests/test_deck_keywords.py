@@ -53,8 +53,8 @@ def test_aliases() -> None:
 def test_an_unknown_name_gets_the_nearest_one() -> None:
     with pytest.raises(UserError, match=r"there is no keyword \*CASSING; did you mean \*CASING\?"):
         describe("cassing")
-    with pytest.raises(UserError, match=r"\*LINE is not read by this version"):
-        describe("LINE")
+    with pytest.raises(UserError, match=r"\*GROUP is not read by this version"):
+        describe("GROUP")
 
 
 def test_names_are_unique_within_a_row() -> None:

@@ -12,10 +12,18 @@ from podeep.deck.read import read_deck
 from podeep.errors import UserError
 
 BASE = (Path(__file__).parent / "data" / "decks" / "base.deck").read_text(encoding="utf-8")
+LINES = (
+    (Path(__file__).parent / "data" / "decks" / "line.deck")
+    .read_text(encoding="utf-8")
+    .replace(
+        "*EXEC",
+        "*SUCTION\n1 CU=5e3\n*MOTION\n11 2\nX 5\nZ 1 9\n*MOTION\n11 1 X Z\n0 0 0\n9 1 1\n*EXEC",
+    )
+)
 KEYWORDS = """*TITLE *DEPTH *GROUNDEPTH *PYCURVE *TZCURVE *GROUNDPROP *CASING *FONDATION *SUPPORT
 *SPRING *LOAD *DISPLACE *QUASISTATIC *NEWTONSTAT *ACCURACY *MODEL *INCLUDE *EXEC *STOP *LINE
-*MASS *STIFFNESS *RADIATION *INITIAL *HARMONIC *TIMESERIES *DAMPING *DYNAMIC *DYNIMP *NEWTONDYN
-*DTREC *FOO""".split()
+*END *MOTION *SUCTION *MASS *STIFFNESS *RADIATION *INITIAL *HARMONIC *TIMESERIES *DAMPING
+*DYNAMIC *DYNIMP *NEWTONDYN *DTREC *TYPCONTACT *SOILSTIFF *FOO""".split()
 
 
 def write(folder: Path, text: str | bytes, name: str = "a.deck") -> Path:
@@ -146,7 +154,8 @@ garbage = st.lists(st.lists(words, max_size=7).map(" ".join), max_size=25).map("
 def test_garbage_is_refused_in_words(tmp_path: Path, text: str) -> None:
     path = write(tmp_path, text.encode("utf-8", "surrogatepass"))
     with suppress(UserError):
-        assert read_deck(path).scene.foundations
+        scene = read_deck(path).scene
+        assert scene.foundations or scene.lines
 
 
 @settings(
@@ -154,11 +163,12 @@ def test_garbage_is_refused_in_words(tmp_path: Path, text: str) -> None:
 )
 @given(data=st.data())
 def test_a_damaged_deck_is_read_or_refused(tmp_path: Path, data: st.DataObject) -> None:
-    lines = BASE.splitlines()
+    lines = data.draw(st.sampled_from([BASE, LINES])).splitlines()
     for _ in range(data.draw(st.integers(1, 4))):
         fields = lines[at := data.draw(st.integers(0, len(lines) - 1))].split(" ")
         fields[data.draw(st.integers(0, len(fields) - 1))] = data.draw(words)
         lines[at] = " ".join(fields)
     path = write(tmp_path, "\n".join(lines).encode("utf-8", "surrogatepass"))
     with suppress(UserError):
-        assert read_deck(path).scene.foundations
+        scene = read_deck(path).scene
+        assert scene.foundations or scene.lines

@@ -12,8 +12,9 @@ from .deck.keywords import KEYWORDS
 from .errors import InvalidData, UserError
 from .risks import bearing, motion, piles
 from .risks.curves import curve_risks
-from .risks.ranges import SLIPS, TUBE_SLIPS
-from .risks.risk import Risk, Value, rounded, slips
+from .risks.lines import line_risks
+from .risks.ranges import SLIPS
+from .risks.risk import Risk, Value, rounded, slips, wall_slips
 from .risks.seabed import soil_risks
 from .risks.site import EDGE, Site
 from .scene import Foundation, Scene, Spudcan, Tube
@@ -25,7 +26,7 @@ _POISSON = {"CLAY": (0.45, 0.5), "SAND": (0.15, 0.35), None: (0.0, 0.5)}
 
 
 def warnings(scene: Scene) -> list[str]:
-    """All that is risky in a scene: its tubes, its curves by id, then its foundations."""
+    """All that is risky in a scene: its tubes, its curves by id, its lines, its foundations."""
     first: dict[tuple[str, str], Risk] = {}
     for risk in _risks(scene):
         first.setdefault((risk.subject, risk.about), risk)
@@ -42,6 +43,8 @@ def _risks(scene: Scene) -> Iterator[Risk]:
         yield from curve_risks("t-z", ground.axial_curves[id_])
     for soil in scene.soil_stiffnesses.values():
         yield from soil_risks(f"soil stiffness {soil.id}", soil.parameters)
+    for id_ in scene.lines:
+        yield from line_risks(scene, id_)
     for foundation in scene.foundations:
         yield from foundation_risks(scene, foundation)
 
@@ -62,11 +65,7 @@ def tube_risks(tube: Tube) -> Iterator[Risk]:
     """Slips of units in a tube, and walls that no driven pile has."""
     subject = f"tube {tube.id}"
     for section in tube.sections:
-        replaced = section.bending_stiffness_override and section.axial_stiffness_override
-        for attribute, name, unit, slip in TUBE_SLIPS:
-            if not (replaced and attribute == "youngs_modulus"):
-                value = Value(name, getattr(section, attribute), unit)
-                yield from slips(subject, attribute, value, slip)
+        yield from wall_slips(subject, section)
         width, wall = section.outer_diameter, section.wall_thickness
         if width > _THINNEST * wall * (1.0 + EDGE):
             numbers = f"WT = {short(wall)} m with OD = {short(width)} m, D/t = {width / wall:.4g}"

@@ -30,6 +30,10 @@ class Demand:
 def foundation_of(scene: Scene, name: str | None) -> Foundation:
     """The foundation of this name, or the first one. Raises UserError if there is none."""
     found = {f.name: f for f in scene.foundations}
+    if not found:
+        raise UserError(
+            Fault("the deck has no foundation", "name tubes in *FONDATION: this is of them")
+        )
     wanted = next(iter(found)) if name is None else name
     if wanted not in found:
         raise UserError(Fault(f"no foundation {wanted}", f"the deck has {', '.join(found)}"))

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from textwrap import wrap
 from typing import Any
 
+from .describe_lines import line_lines, seabed_lines
 from .describe_motion import motion_lines, soil_motion_lines
 from .scene import (
     CoupledSpring,
@@ -26,17 +27,19 @@ from .units import parameter, short
 
 def scene_report(scene: Scene, notes: tuple[str, ...]) -> str:
     """The whole scene in SI and in words, one fact a line."""
-    lines = [scene.title or "(no title)", ""]
-    for foundation in scene.foundations:
-        lines += foundation_lines(scene, foundation)
+    lines = [scene.title or "(no title)"]
+    for number, foundation in enumerate(scene.foundations):
+        lines += [*([] if number else [""]), *foundation_lines(scene, foundation)]
     if scene.ties or scene.slidings:
         lines += ["", "tubes in tubes", *(f"  {line}" for line in tie_lines(scene))]
-    lines += ["", "soil"]
-    lines += [f"  {line}" for line in ground_lines(scene.ground)]
-    if scene.soil_stiffnesses:
-        lines += ["", "seabed", *(f"  {line}" for line in seabed_lines(scene))]
-    lines += ["", "held and loaded"]
-    lines += [f"  {line}" for line in action_lines(scene)]
+    if scene.lines:
+        lines += ["", "lines", *(f"  {line}" for line in line_lines(scene))]
+    if scene.foundations:
+        lines += ["", "soil", *(f"  {line}" for line in ground_lines(scene.ground))]
+    if seabed := list(seabed_lines(scene)):
+        lines += ["", "seabed", *(f"  {line}" for line in seabed)]
+    if scene.foundations:
+        lines += ["", "held and loaded", *(f"  {line}" for line in action_lines(scene))]
     lines += ["", "steps"]
     lines += [f"  {line}" for line in step_lines(scene)]
     if moving := list(motion_lines(scene)):
@@ -148,13 +151,6 @@ def ground_lines(ground: Ground) -> Iterator[str]:
     yield from soil_motion_lines(ground)
 
 
-def seabed_lines(scene: Scene) -> Iterator[str]:
-    """Soils under pipes: model and parameters."""
-    for soil in scene.soil_stiffnesses.values():
-        values = ", ".join(parameter(name, value) for name, value in soil.parameters.items())
-        yield f"soil stiffness {soil.id}: {soil.model}, {values}"
-
-
 def curve_line(curve: Curve) -> str:
     """A curve's law, parameters, options and rows."""
     given: dict[str, Any] = {**curve.parameters, **curve.options}
@@ -237,6 +233,9 @@ def _place(item: Support | Spring | CoupledSpring | Mass | Load | Displacement) 
 
 def step_lines(scene: Scene) -> Iterator[str]:
     """How many steps, and the factors where they are few."""
+    if not scene.steps.names and scene.lines:
+        yield "no loads and no displacements"
+        return
     yield f"{len(scene.steps.factors)} quasi-static steps of {', '.join(scene.steps.names)}"
     if len(scene.steps.factors) <= 10:
         for number, factors in enumerate(scene.steps.factors, start=1):

@@ -27,7 +27,8 @@ def motion_lines(scene: Scene) -> Iterator[str]:
     """What drives the motion, what damps it, and how it is followed; nothing without these."""
     if scene.dynamics is not None:
         yield from run_lines(scene.dynamics)
-        yield f"force of the soil: {_RULES[scene.ground.dynamic_rule]}"
+        if scene.foundations:
+            yield f"force of the soil: {_RULES[scene.ground.dynamic_rule]}"
     for sine in scene.harmonics:
         ramp = f", growing over {short(sine.ramp)} s" if sine.ramp else ""
         yield (

@@ -1,6 +1,8 @@
 """What moves in time, and how it is followed, as plain data in SI units, z up from sea level."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 from .errors import InvalidData
@@ -72,6 +74,17 @@ class Harmonic:
     ramp: float = 0.0
 
 
+def check_rising(times: Sequence[float]) -> None:
+    """Raises InvalidData for times that do not rise."""
+    for before, after in pairwise(times):
+        if not after > before:
+            raise InvalidData(
+                f"time {after:g} s does not come after {before:g} s",
+                "times rise from line to line",
+                "file",
+            )
+
+
 @dataclass(frozen=True, slots=True)
 class TimeSeries:
     """The factor of a named load at times, s: straight lines between, held before and after."""
@@ -81,13 +94,7 @@ class TimeSeries:
     factors: tuple[float, ...]
 
     def __post_init__(self) -> None:
-        for before, after in zip(self.times, self.times[1:], strict=False):
-            if not after > before:
-                raise InvalidData(
-                    f"time {after:g} s does not come after {before:g} s",
-                    "times rise from line to line",
-                    "file",
-                )
+        check_rising(self.times)
 
 
 @dataclass(frozen=True, slots=True)

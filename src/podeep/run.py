@@ -116,6 +116,7 @@ def run_deck(
     """
     deck = read_deck(path)
     scene, state = deck.scene, None
+    check_solved(deck)
     target, moved = (directory / path.with_suffix(ending).name for ending in (".dss", ".dst"))
     if resume:
         check_resumes(deck)
@@ -172,6 +173,14 @@ def run_deck(
         )
         failure = motion.failure
     return Run(path, scene.title, solved, target, failure, risks, supports, motion)
+
+
+def check_solved(deck: Deck) -> None:
+    """Raises UserError for a deck with lines, which are not solved yet."""
+    if deck.solve and deck.scene.lines:
+        message = "lines are read and checked; this version does not solve them yet"
+        remedy = "take *LINE out, or see what podeep-solve check makes of it"
+        raise UserError(Fault(message, remedy))
 
 
 def check_resumes(deck: Deck) -> None:

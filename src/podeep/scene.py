@@ -10,6 +10,14 @@ from types import MappingProxyType
 from typing import Literal
 
 from .errors import InvalidData
+from .lines import TRANSLATIONS as TRANSLATIONS
+from .lines import Line as Line
+from .lines import LineEnd as LineEnd
+from .lines import LineMotion as LineMotion
+from .lines import LineSection as LineSection
+from .lines import SeabedContact as SeabedContact
+from .lines import Suction as Suction
+from .lines import Wave as Wave
 from .motion import CoupledSpring as CoupledSpring
 from .motion import Damping as Damping
 from .motion import Dof as Dof
@@ -101,6 +109,10 @@ class Ground:
                 "give one pair of curves for each depth",
                 "IY",
             )
+
+
+#: The ground of a scene without foundations: no reaction at any depth.
+NO_GROUND = Ground((0.0,), (0,), (0,), MappingProxyType({}), MappingProxyType({}))
 
 
 @dataclass(frozen=True, slots=True)
@@ -294,6 +306,10 @@ class Scene:
     soil_stiffnesses: Mapping[int, SoilStiffness] = field(
         default_factory=lambda: MappingProxyType({})
     )
+    lines: Mapping[int, Line] = field(default_factory=lambda: MappingProxyType({}))
+    seabed_contacts: tuple[SeabedContact, ...] = ()
+    suctions: Mapping[int, Suction] = field(default_factory=lambda: MappingProxyType({}))
+    line_motions: tuple[LineMotion, ...] = ()
 
     def spudcan(self, foundation: Foundation) -> Spudcan | None:
         """The spudcan under a foundation, if it has one."""

@@ -6,31 +6,21 @@ from math import pi
 from .errors import InvalidData
 
 
-@dataclass(frozen=True, slots=True)
-class Section:
-    """A stretch of tube between two elevations; overrides replace what the geometry gives."""
+class Wall:
+    """What a round wall gives per length; overrides replace what the geometry gives."""
 
-    top: float
-    bottom: float
+    __slots__ = ()
+
     outer_diameter: float
     wall_thickness: float
     youngs_modulus: float
     density: float
-    poisson_ratio: float = 0.3
-    bending_stiffness_override: float | None = None
-    axial_stiffness_override: float | None = None
-    shear_stiffness_override: float | None = None
-    mass_override: float | None = None
-    added_mass_coefficient: float = 0.0
-    fill_density: float = 0.0
+    bending_stiffness_override: float | None
+    axial_stiffness_override: float | None
+    mass_override: float | None
 
-    def __post_init__(self) -> None:
-        if not self.top > self.bottom:
-            raise InvalidData(
-                f"the section's top {self.top:g} m is not above its bottom {self.bottom:g} m",
-                "give ZTOP above ZBOT, both as elevations from sea level",
-                "ZBOT",
-            )
+    def check_wall(self) -> None:
+        """Raises InvalidData for a wall that does not fit in its diameter."""
         if not 0.0 < self.wall_thickness <= 0.5 * self.outer_diameter:
             raise InvalidData(
                 f"a wall of {self.wall_thickness:g} m does not fit in an outer diameter of "
@@ -64,6 +54,39 @@ class Section:
         return self.youngs_modulus * self.area if override is None else override
 
     @property
+    def mass(self) -> float:
+        """Mass of the tube alone, kg/m."""
+        return self.density * self.area if self.mass_override is None else self.mass_override
+
+
+@dataclass(frozen=True, slots=True)
+class Section(Wall):
+    """A stretch of tube between two elevations; overrides replace what the geometry gives."""
+
+    top: float
+    bottom: float
+    outer_diameter: float
+    wall_thickness: float
+    youngs_modulus: float
+    density: float
+    poisson_ratio: float = 0.3
+    bending_stiffness_override: float | None = None
+    axial_stiffness_override: float | None = None
+    shear_stiffness_override: float | None = None
+    mass_override: float | None = None
+    added_mass_coefficient: float = 0.0
+    fill_density: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not self.top > self.bottom:
+            raise InvalidData(
+                f"the section's top {self.top:g} m is not above its bottom {self.bottom:g} m",
+                "give ZTOP above ZBOT, both as elevations from sea level",
+                "ZBOT",
+            )
+        self.check_wall()
+
+    @property
     def shear_stiffness(self) -> float:
         """GAs, N, of a hollow circle by Cowper, J. Appl. Mech. 33 (1966), unless it is given."""
         if self.shear_stiffness_override is not None:
@@ -72,11 +95,6 @@ class Section:
         share = 6.0 * (1.0 + nu) * (1.0 + m) ** 2
         share /= (7.0 + 6.0 * nu) * (1.0 + m) ** 2 + (20.0 + 12.0 * nu) * m
         return share * self.area * self.youngs_modulus / (2.0 * (1.0 + nu))
-
-    @property
-    def mass(self) -> float:
-        """Mass of the tube alone, kg/m."""
-        return self.density * self.area if self.mass_override is None else self.mass_override
 
 
 @dataclass(frozen=True, slots=True)

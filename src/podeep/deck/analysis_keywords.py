@@ -1,6 +1,6 @@
 """The keywords of the analysis, and those that frame a deck."""
 
-from .column import NOT_NEGATIVE, POSITIVE, Bounds, Column, Keyword, Row
+from .column import Bounds, Column, Keyword, Row
 
 _RATIO = Bounds(0.0, 1.0, open=True)
 
@@ -172,21 +172,26 @@ MODEL = Keyword(
 
 SEA = Keyword(
     "SEA",
-    "the water around the tubes",
+    "the water around tubes and lines",
     (
         Row(
             "the water",
             (
-                Column("RHO", "density", "kg/m3", NOT_NEGATIVE, "density"),
+                Column("RHO", "density", "kg/m3", Bounds(0.0, 1e6), "density"),
                 Column(
-                    "G", "acceleration of gravity", "m/s2", POSITIVE, "gravity", default=9.80665
+                    "G",
+                    "acceleration of gravity",
+                    "m/s2",
+                    Bounds(0.0, 1e4, open=True),
+                    "gravity",
+                    default=9.80665,
                 ),
             ),
         ),
     ),
     "*SEA\n1025",
-    "It gives the weight in water of tubes and plugs, for capacities. Without *SEA it is sea water "
-    "of 1025 kg/m3.",
+    "It gives the weight in water of lines, and of tubes and plugs for capacities. Without *SEA it "
+    "is sea water of 1025 kg/m3.",
     once=True,
 )
 

@@ -95,7 +95,7 @@ def _read_series(paragraph: Paragraph, found: Histories, actions: Actions, fault
         name = None
         if values.sound:
             name = _known(values.cells["NAME"], values.places["NAME"], found, actions, faults)
-        if not rows and values.sound and not _told(head[0].place, faults):
+        if not rows and values.sound and not told(head[0].place, faults):
             message = f"the series of {head[0].text} has no rows"
             faults.add(head[0].place, message, f"rows are {_ROWS.layout}, in a file or below")
         series = _rows(name or "", rows, faults)
@@ -130,7 +130,7 @@ def _row(line: Sequence[Field], faults: Faults) -> tuple[float, float] | None:
     return (values.cells["T"], values.cells["FACTOR"]) if values.sound else None
 
 
-def _told(place: Place, faults: Faults) -> bool:
+def told(place: Place, faults: Faults) -> bool:
     """Whether something is wrong with a line already: what it lacks may follow from that."""
     where = (place.file, place.line)
     return any(f.place and (f.place.file, f.place.line) == where for f in faults.found)

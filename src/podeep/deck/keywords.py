@@ -30,6 +30,7 @@ from .analysis_keywords import (
 )
 from .column import Column, Keyword, Row
 from .ground_keywords import GROUNDEPTH, GROUNDPROP, RADIATION
+from .line_keywords import END, LINE, MOTION
 from .motion_keywords import (
     DAMPING,
     DTREC,
@@ -40,7 +41,7 @@ from .motion_keywords import (
     TIMESERIES,
 )
 from .py_keyword import PYCURVE
-from .seabed_keyword import SOILSTIFF
+from .seabed_keyword import SOILSTIFF, SUCTION
 from .structure_keywords import CASING, CONTACT, FONDATION, SLAVE, TYPCONTACT
 from .tz_keyword import TZCURVE
 
@@ -52,7 +53,8 @@ KEYWORDS: Mapping[str, Keyword] = MappingProxyType(
         k.name: k
         for k in (
             *(TITLE, DEPTH, GROUNDEPTH, PYCURVE, TZCURVE, GROUNDPROP, RADIATION),
-            *(CASING, FONDATION, SLAVE, TYPCONTACT, CONTACT, SOILSTIFF),
+            *(CASING, FONDATION, SLAVE, LINE, END, MOTION),
+            *(TYPCONTACT, CONTACT, SOILSTIFF, SUCTION),
             *(SUPPORT, SPRING, STIFFNESS, SPUDCAN, MASS, LOAD, DISPLACE, QUASISTATIC),
             *(INITIAL, HARMONIC, TIMESERIES, DAMPING, DYNAMIC, DYNIMP, NEWTONDYN, DTREC),
             *(NEWTONSTAT, ACCURACY, MODEL, SEA),
@@ -67,14 +69,17 @@ ALIASES: Mapping[str, str] = MappingProxyType(
 
 #: Keywords of the original, or planned, that this version does not read.
 PLANNED: tuple[str, ...] = tuple(
-    """LINE END SUCTION MOTION GROUP RISER MOORLINE RIGIBODY
-    RIGIDSTRUC CDDEPTH WAVE FLUID-EX SPRINGPRO TRENCH STIFFAMP""".split()
+    """GROUP RISER MOORLINE RIGIBODY RIGIDSTRUC CDDEPTH WAVE FLUID-EX SPRINGPRO TRENCH
+    STIFFAMP""".split()
 )
 
-#: Of these, the ones that define tubes or loads to which others refer.
-DEFINES: Mapping[str, str] = MappingProxyType(
-    {"LINE": "CASING", "GROUP": "CASING", "RISER": "CASING", "MOORLINE": "CASING"}
+#: Of these, the ones that define what others refer to, and the keywords read that they stand for.
+DEFINES: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    dict.fromkeys(("GROUP", "RISER", "MOORLINE"), ("CASING", "LINE"))
 )
+
+#: What belongs to foundations: a deck of lines alone needs none of it.
+OF_FOUNDATIONS = ("CASING", "FONDATION", "GROUNDEPTH", "GROUNDPROP", "PYCURVE", "TZCURVE")
 
 
 def canonical(word: str) -> str:
@@ -118,6 +123,7 @@ def _list() -> Iterator[str]:
     yield fill(" ".join(f"*{name}" for name in PLANNED), _WIDTH, break_on_hyphens=False)
     yield ""
     yield "podeep-solve keywords NAME tells all about one"
+    yield "A deck with *LINE and without foundations requires *DEPTH alone."
 
 
 def _page(keyword: Keyword) -> Iterator[str]:

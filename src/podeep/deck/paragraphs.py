@@ -6,7 +6,15 @@ from dataclasses import dataclass, replace
 from ..errors import Place
 from .cells import Values, read_lines
 from .faults import Faults
-from .keywords import DEFINES, KEYWORDS, PLANNED, canonical, guessed_keyword, keyword_remedy
+from .keywords import (
+    DEFINES,
+    KEYWORDS,
+    OF_FOUNDATIONS,
+    PLANNED,
+    canonical,
+    guessed_keyword,
+    keyword_remedy,
+)
 from .scan import Paragraph, Scanned
 
 
@@ -29,6 +37,12 @@ class Sorted:
         """The paragraph of a keyword that stands once."""
         return next(iter(self.of[keyword]), None)
 
+    @property
+    def lines_alone(self) -> bool:
+        """Whether the deck is of lines, as far as can be told, and has nothing of foundations."""
+        has_lines = bool(self.of["LINE"]) or not self.complete("LINE")
+        return has_lines and not any(self.of[name] for name in OF_FOUNDATIONS)
+
     def line(self, keyword: str) -> Values | None:
         """The values of a keyword of one line; None if it is missing or at fault."""
         paragraph = self.one(keyword)
@@ -48,7 +62,7 @@ def sort_paragraphs(scanned: Scanned, faults: Faults) -> Sorted:
     for index, paragraph in enumerate(scanned.paragraphs):
         word = canonical(paragraph.keyword)
         if word in PLANNED:
-            doubtful.add(DEFINES.get(word, ""))
+            doubtful.update(DEFINES.get(word, ()))
             message = f"*{word} is known, but not read by this version"
             faults.add(paragraph.place, message, "take it out")
         elif word not in KEYWORDS:
@@ -88,6 +102,8 @@ def _check_required(given: Sorted, end: Place) -> None:
     if not given.of["EXEC"] and not given.of["STOP"] and given.complete("EXEC", "STOP"):
         given.faults.add(end, "the deck has no end", "end it with *EXEC or *STOP")
     where = next((p.place for word in ("EXEC", "STOP") for p in given.of[word]), end)
+    spared = OF_FOUNDATIONS if given.lines_alone else ()
     for keyword in KEYWORDS.values():
-        if keyword.required and not given.of[keyword.name] and given.complete(keyword.name):
+        needed = keyword.required and keyword.name not in spared
+        if needed and not given.of[keyword.name] and given.complete(keyword.name):
             given.faults.add(where, f"*{keyword.name} is missing", f"it gives {keyword.purpose}")

@@ -7,14 +7,17 @@ from types import MappingProxyType
 from typing import Any
 
 from ..scene import (
+    NO_GROUND,
     Curve,
     Foundation,
     Ground,
+    Line,
     Newton,
     Numerics,
     Scene,
     Sea,
     SoilStiffness,
+    Suction,
     Support,
 )
 from .actions import ACTING, HOLDING, Actions, likely_data, read_actions
@@ -32,10 +35,13 @@ from .ground import (
 )
 from .histories import read_histories
 from .keywords import KEYWORDS
+from .line_motions import read_line_motions
+from .lines import read_pipes
 from .paragraphs import Sorted, sort_paragraphs
 from .registry import Registry
-from .scan import scan
-from .seabed import read_soil_stiffnesses, unused_soils
+from .scan import Paragraph, scan
+from .seabed import read_soil_stiffnesses, read_suctions, unused_soils
+from .seabed_contacts import Contacts, check_held, read_contacts, seabed_notes, split_contacts
 from .steps import idle_names, read_steps
 from .structure import ReadTube, read_tube
 from .ties import Ties, read_ties
@@ -66,33 +72,43 @@ def read_deck(path: Path) -> Deck:
     notes: list[str] = []
 
     title = _title(given, faults)
-    ground = _ground(given, notes, faults)
+    ground = NO_GROUND if given.lines_alone else _ground(given, notes, faults)
     tubes: Registry[ReadTube] = Registry(
         "tube", "CASING", faults, complete=given.complete("CASING")
     )
     for paragraph in given.of["CASING"]:
         read_tube(paragraph, tubes, faults)
+    lines = read_pipes(given, tubes, faults)
     foundations = _foundations(given, tubes, faults)
     soils: Registry[SoilStiffness] = Registry(
         "soil stiffness", "SOILSTIFF", faults, complete=given.complete("SOILSTIFF")
     )
     read_soil_stiffnesses(given.of["SOILSTIFF"], soils, faults)
+    suctions: Registry[Suction] = Registry(
+        "suction", "SUCTION", faults, complete=given.complete("SUCTION")
+    )
+    read_suctions(given.of["SUCTION"], suctions, faults)
+    in_tubes, on_seabed = split_contacts(given.of["TYPCONTACT"], faults)
+    contacts = _contacts(given, on_seabed, lines, soils, suctions, faults)
 
     acting = [p for p in scanned.paragraphs if p.keyword in ACTING]
     actions = read_actions(acting, tubes, faults)
-    actions.complete &= given.complete("LOAD", "DISPLACE")
+    moved = read_line_motions(given.of["MOTION"], lines, actions, faults)
+    actions.complete &= given.complete("LOAD", "DISPLACE", "MOTION")
     _check_uses(given, foundations, tubes, actions, faults)
     numerics = _arguments(given, "ACCURACY") | _model(given, faults)
     if not numerics.get("axial_curves", True):
         notes += _tip_supports(foundations, tubes, actions)
     elif ground is not None and actions.sound and given.complete(*HOLDING):
         _check_axial(foundations, tubes, ground, actions, faults)
-    tied = _ties(given, foundations, tubes, actions, notes, faults)
+    tied = _ties(given, in_tubes, foundations, tubes, actions, notes, faults)
     dynamics = read_dynamics(given, notes, faults)
     damping = read_damping(given.one("DAMPING"), faults)
     histories = read_histories(given.of["HARMONIC"], given.of["TIMESERIES"], actions, faults)
     # a history has no effect without motion: then its load is stepped like the others
     driven = histories.places if given.of["DYNAMIC"] else {}
+    if not (actions.names or given.of["LINE"]):
+        notes.append("there is no *LOAD and no *DISPLACE: nothing moves")
     steps = read_steps(given.one("QUASISTATIC"), actions, driven, notes, faults)
     newton = _arguments(given, "NEWTONSTAT")
     faults.check()
@@ -123,12 +139,20 @@ def read_deck(path: Path) -> Deck:
         damping,
         dynamics,
         MappingProxyType(soils.sound),
+        MappingProxyType(lines.sound),
+        tuple(contacts.contacts),
+        MappingProxyType(suctions.sound),
+        moved,
     )
     notes += actions.notes
-    if dynamics and not (histories.places or actions.starts):
+    in_time = any(one.moves_in_time for one in moved)
+    if in_time and not given.of["DYNAMIC"]:
+        notes.append("waves and records of *MOTION have no effect without *DYNAMIC")
+    if dynamics and not (histories.places or actions.starts or in_time):
         notes.append("no history and no start: in motion the loads stay as the steps leave them")
     notes += [*unused_curves(ground), *_unused_tubes(scene), *idle_names(steps, driven)]
-    notes += unused_soils(scene.soil_stiffnesses)
+    notes += unused_soils(scene.soil_stiffnesses, [c.soil_stiffness for c in contacts.contacts])
+    notes += seabed_notes(scene.lines, contacts, scene.suctions)
     notes += likely_data(acting)
     return Deck(scene, scanned.text, bool(given.of["EXEC"]), tuple(notes))
 
@@ -197,8 +221,26 @@ def _check_uses(
             faults.add(place, message, "name it in one, or take this out")
 
 
+def _contacts(
+    given: Sorted,
+    paragraphs: Sequence[Paragraph],
+    lines: Registry[Line],
+    soils: Registry[SoilStiffness],
+    suctions: Registry[Suction],
+    faults: Faults,
+) -> Contacts:
+    """The lines on the seabed; all lines are held by it or by their ends."""
+    depth, shared = given.line("DEPTH"), _arguments(given, "CONTACT")
+    mudline = depth.cells["Z"] if depth else None
+    found = read_contacts(paragraphs, mudline, shared, lines, soils, suctions, faults)
+    if found.sound and given.complete("TYPCONTACT"):
+        check_held(lines, found, faults)
+    return found
+
+
 def _ties(
     given: Sorted,
+    contacts: Sequence[Paragraph],
     foundations: Sequence[ReadFoundation],
     tubes: Registry[ReadTube],
     actions: Actions,
@@ -209,8 +251,8 @@ def _ties(
     shared = _arguments(given, "CONTACT")
     sound = [f.foundation for f in foundations if f.foundation is not None]
     complete = len(sound) == len(foundations) and given.complete("FONDATION", "SLAVE")
-    paragraphs = (given.of["SLAVE"], given.of["TYPCONTACT"])
-    found = read_ties(*paragraphs, shared, sound if complete else [], tubes, actions, faults)
+    slaves, known = given.of["SLAVE"], sound if complete else []
+    found = read_ties(slaves, contacts, shared, known, tubes, actions, faults)
     notes += found.notes
     return found
 

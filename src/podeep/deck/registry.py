@@ -18,7 +18,8 @@ class Registry(Generic[T]):
 
     items: None for a thing that is at fault, so that a reference to it is no second fault.
     complete: every id could be read; otherwise no reference is called missing.
-    meant: ids that things whose id is at fault may have been meant to have.
+    meant: ids that things whose id is at fault may have been meant to have. elsewhere: what other
+    things are, in words by their id.
     """
 
     noun: str
@@ -29,6 +30,7 @@ class Registry(Generic[T]):
     complete: bool = True
     meant: set[int] = field(default_factory=set)
     last: int = 0
+    elsewhere: dict[int, str] = field(default_factory=dict)
 
     def add(self, id_: int | None, place: Place, item: T | None) -> None:
         """Take a thing in; None as id is one that is at fault, and is guessed from its place."""
@@ -64,7 +66,12 @@ class Registry(Generic[T]):
             self.faults.add(
                 place,
                 f"there is no {self.noun} {id_}",
-                f"*{self.keyword} defines {known}" if known else f"no *{self.keyword} defines one",
+                self.elsewhere.get(id_)
+                or (
+                    f"*{self.keyword} defines {known}"
+                    if known
+                    else f"no *{self.keyword} defines one"
+                ),
             )
         return self.items.get(id_)
 

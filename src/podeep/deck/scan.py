@@ -1,8 +1,8 @@
 """Deck files become paragraphs: a keyword, its options, and lines of fields with their places.
 
 Nothing here knows what a keyword means, but for those that change how text is read: *TITLE, whose
-text is raw, *INCLUDE, which is replaced by the lines of another file, and *TIMESERIES, whose lines
-may name a file that holds more of its data.
+text is raw, *INCLUDE, which is replaced by the lines of another file, and *TIMESERIES and *MOTION,
+whose lines may name a file that holds more of their data.
 """
 
 import re
@@ -21,6 +21,7 @@ _COMMENT = re.compile(r"[Cc](?!\w*=)")
 _INCLUDE = re.compile(r"\*INCLUDE(?![^\s,!&])", re.IGNORECASE)
 _FILE = re.compile(r"[\s,]+file\s*=\s*([^!]*[^!\s])\s*(?:!.*)?", re.IGNORECASE)
 _DATA_FILE = re.compile(r"([^!]*?)(?:[\s,]+|^)file\s*=\s*([^!]*)", re.IGNORECASE)
+_OWNERS = {"TIMESERIES": "NAME", "MOTION": "IGR END DOF ..."}  # of such files, and their lines
 _TITLE = re.compile(r"\*TITLE(?![^\s,!&])[\s,]*", re.IGNORECASE)
 
 
@@ -164,17 +165,17 @@ def _included(place: Place, chain: tuple[Path, ...], faults: Faults) -> Iterator
 
 
 def _with_data(lines: Iterable[_Line], faults: Faults) -> Iterator[_Line]:
-    """The lines of a deck, with those of the files that hold data of *TIMESERIES after their names.
+    """The lines of a deck, with those of the files that hold more data after their names.
 
     They stand in the text of the deck as they would without the file, so that it can be read alone.
     """
-    series = False
+    owns = ""
     for line in lines:
         text = line.place.text
         keyword = _KEYWORD.match(text)
         if keyword:
-            series = keyword[2].upper() == "TIMESERIES"
-        named = _DATA_FILE.match(text) if series and not _COMMENT.match(text) else None
+            owns = keyword[2].upper()
+        named = _DATA_FILE.match(text) if owns in _OWNERS and not _COMMENT.match(text) else None
         owner = named[1][keyword.end() if keyword else 0 :].strip(" \t,") if named else ""
         if named is None or not owner:
             yield line
@@ -185,7 +186,8 @@ def _with_data(lines: Iterable[_Line], faults: Faults) -> Iterator[_Line]:
         if name:
             yield from _data(Path(line.place.file).parent / name, where, faults)
         else:
-            faults.add(where, "*TIMESERIES names no file", "write *TIMESERIES NAME, file=F")
+            remedy = f"write *{owns} {_OWNERS[owns]}, file=F"
+            faults.add(where, f"*{owns} names no file", remedy)
 
 
 def _data(path: Path, where: Place, faults: Faults) -> Iterator[_Line]:

@@ -1,11 +1,12 @@
-"""The paragraphs of the soil under pipes on the seabed."""
+"""The paragraphs of the seabed under lines: its soils and its suction."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from types import MappingProxyType
 
-from ..scene import SoilStiffness
+from ..scene import SoilStiffness, Suction
 from ..seabed.models import MODELS
-from .cells import no_data, option_fields, read_row
+from ..seabed.pull_out import pull_out_of
+from .cells import Values, no_data, option_fields, read_lines, read_row
 from .column import Row
 from .faults import Faults, nearest
 from .keywords import KEYWORDS
@@ -63,8 +64,30 @@ def _row(line: Sequence[Field], faults: Faults) -> Row | None:
     return _ROWS[given.text.upper()]
 
 
-def unused_soils(soils: Mapping[int, SoilStiffness]) -> Iterator[str]:
+def unused_soils(soils: Mapping[int, SoilStiffness], used: Collection[int | None]) -> Iterator[str]:
     """A note on soils that no line lies on."""
-    if soils:
-        ids = ", ".join(map(str, soils))
+    ids = ", ".join(str(id_) for id_ in soils if id_ not in used)
+    if ids:
         yield f"soil stiffness {ids} under no line: podeep-solve stiffness shows it under a pipe"
+
+
+def read_suctions(
+    paragraphs: Sequence[Paragraph], suctions: Registry[Suction], faults: Faults
+) -> None:
+    """Take in the lines of all *SUCTION; one at fault still names itself."""
+    for paragraph in paragraphs:
+        for values in read_lines(paragraph, KEYWORDS["SUCTION"], faults):
+            made = _suction(values, faults) if values.sound else None
+            suctions.add(values.cells.get("ID"), values.places.get("ID", values.place), made)
+
+
+def _suction(values: Values, faults: Faults) -> Suction | None:
+    """A suction whose law is within its bounds; a diameter cannot make it go beyond them."""
+    arguments = values.arguments(KEYWORDS["SUCTION"].rows[0].columns)
+
+    def make() -> Suction:
+        suction = Suction(**arguments)
+        pull_out_of(suction, 1.0)
+        return suction
+
+    return faults.guarded(make, values.places, values.place)

@@ -26,8 +26,6 @@ def read_steps(
     name them.
     """
     names = tuple(actions.names.values())
-    if not names:
-        notes.append("there is no *LOAD and no *DISPLACE: nothing moves")
     if paragraph is not None:
         return _given_steps(paragraph, actions, driven, faults)
     if names:

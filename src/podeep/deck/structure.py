@@ -5,13 +5,14 @@ from dataclasses import dataclass
 
 from ..scene import Section, Tube
 from .cells import Values, no_data, read_row
+from .column import Keyword
 from .faults import Faults, first_bad
 from .keywords import KEYWORDS
 from .registry import Registry
 from .scan import Paragraph
 
 _CASING = KEYWORDS["CASING"]
-_HEAD, _SECTIONS = _CASING.rows
+_SECTIONS = _CASING.rows[1]
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,20 +26,12 @@ class ReadTube:
 def read_tube(paragraph: Paragraph, tubes: Registry[ReadTube], faults: Faults) -> None:
     """Take in the tube of a *CASING."""
     before = len(faults.found)
-    for option in paragraph.options:
-        faults.add(option.place, "*CASING has no options", "EI= and the like end a section's line")
-    if not paragraph.lines:
-        no_data(paragraph, _HEAD, faults)
+    head, rows = head_and_rows(paragraph, _CASING, "top to bottom", faults)
+    if head is None:
         tubes.add(None, paragraph.place, None)
         return
-    first, *below = paragraph.lines
-    head = read_row(first, _HEAD, _CASING, paragraph.place, faults)
-    if not below:
-        remedy = f"rows are {_SECTIONS.layout}, top to bottom"
-        faults.add(head.place, "*CASING has no sections", remedy)
-    rows = [read_row(line, _SECTIONS, _CASING, line[0].place, faults) for line in below]
     sections = [_section(row, faults) if row.sound else None for row in rows]
-    id_ = head.cells.get("IGR") if head.sound else _quiet(head)
+    id_ = id_of(head)
     tube = None
     sound = [s for s in sections if s is not None]
     if id_ is not None and sound and len(sound) == len(sections):
@@ -51,7 +44,27 @@ def read_tube(paragraph: Paragraph, tubes: Registry[ReadTube], faults: Faults) -
     tubes.add(id_, head.places.get("IGR", paragraph.place), ReadTube(tube, span))
 
 
-def _quiet(head: Values) -> int | None:
+def head_and_rows(
+    paragraph: Paragraph, keyword: Keyword, order: str, faults: Faults
+) -> tuple[Values | None, list[Values]]:
+    """The first line of a paragraph of sections, None without data, and its rows."""
+    head, sections = keyword.rows
+    for option in paragraph.options:
+        message = f"*{keyword.name} has no options"
+        faults.add(option.place, message, "EI= and the like end a section's line")
+    if not paragraph.lines:
+        no_data(paragraph, head, faults)
+        return None, []
+    first, *below = paragraph.lines
+    values = read_row(first, head, keyword, paragraph.place, faults)
+    if not below:
+        remedy = f"rows are {sections.layout}, {order}"
+        faults.add(values.place, f"*{keyword.name} has no sections", remedy)
+    return values, [read_row(line, sections, keyword, line[0].place, faults) for line in below]
+
+
+def id_of(head: Values) -> int | None:
+    """The id of a first line, which names its thing even where the line is at fault."""
     value = head.cells.get("IGR")
     return value if isinstance(value, int) else None
 

@@ -1,6 +1,6 @@
 """The keywords of tubes and of the foundations they make."""
 
-from .column import IDS, NOT_NEGATIVE, POSITIVE, Bounds, Column, Keyword, Row
+from .column import IDS, IDS_OR_NONE, NOT_NEGATIVE, POSITIVE, Bounds, Column, Keyword, Row
 
 
 def _override(name: str, meaning: str, unit: str, key: str) -> Column:
@@ -139,19 +139,36 @@ SLAVE = Keyword(
     "how one slides in the other.",
 )
 
-_UNUSED = "kept for lines on the seabed"
+
+def _idle(name: str, meaning: str = "no effect here") -> Column:
+    return Column(name, meaning, default=0.0)
 
 
-def _seabed(name: str) -> Column:
-    return Column(name, _UNUSED, default=0.0)
+def _unread(name: str, meaning: str, *choices: str) -> Column:
+    """A value of the original that this version does not read, but as that of no effect."""
+    return Column(
+        name, f"{meaning}, not read by this version", choices=choices or ("0",), default=0.0
+    )
+
+
+def _threshold(name: str, direction: str) -> Column:
+    return Column(
+        name,
+        f"slip {direction} at which friction is reached",
+        "m",
+        Bounds(0.0, 1e6),
+        f"{'axial' if name == 'XSEUIL2' else 'lateral'}_threshold",
+        otherwise="0.001, for 0 as well: rigid friction is not solved",
+        none_at_zero=True,
+    )
 
 
 TYPCONTACT = Keyword(
     "TYPCONTACT",
-    "a tube that slides inside another",
+    "a tube sliding inside another, or a line on the seabed",
     (
         Row(
-            "contacts",
+            "a tube inside another",
             (
                 Column("IGR1", "outer tube", bounds=IDS, key="outer", kind="integer"),
                 Column("IGR2", "tube inside it", bounds=IDS, key="inner", kind="integer"),
@@ -185,7 +202,7 @@ TYPCONTACT = Keyword(
                 Column("XSEUIL3", "the same across", "m", NOT_NEGATIVE, default=0.0),
                 Column("DENSITY", "contacts per length", "1/m", POSITIVE, "density", default=1.0),
                 *(
-                    _seabed(name)
+                    _idle(name)
                     for name in (
                         *("CRIT_PROX", "L_MINI", "ID1", "ID2", "FRICTMOM", "IDSTIFFAMP"),
                         *("RADRATIO", "IDTREN", "XMUO", "IDFAX", "IDFLAT", "INOR", "ISHELTER"),
@@ -201,11 +218,98 @@ TYPCONTACT = Keyword(
                 ),
             ),
         ),
+        Row(
+            "a line on the seabed",
+            (
+                Column(
+                    "IGR1",
+                    "seabed at the elevation of *DEPTH, with ITYP12 = 3",
+                    kind="integer",
+                    choices=("0",),
+                ),
+                Column("IGR2", "line", bounds=IDS, key="line", kind="integer"),
+                Column("ITYP12", "3: line IGR2 lies on the seabed", kind="integer", choices=("3",)),
+                Column(
+                    "MU2",
+                    "friction along the line",
+                    "-",
+                    Bounds(0.0, 1e6),
+                    "axial_friction",
+                    default=0.0,
+                ),
+                Column(
+                    "MU3",
+                    "friction across it",
+                    "-",
+                    Bounds(0.0, 1e6),
+                    "lateral_friction",
+                    default=0.0,
+                ),
+                Column(
+                    "KN",
+                    "stiffness of a contact, 0: by ID1, or KN_SOL of *CONTACT",
+                    "N/m",
+                    Bounds(0.0, 1e15),
+                    default=0.0,
+                ),
+                _threshold("XSEUIL2", "along"),
+                _threshold("XSEUIL3", "across"),
+                Column("DENSITY", "contacts per length", "1/m", Bounds(1e-6, 1e6), default=1.0),
+                _idle("CRIT_PROX", "distance of the original's search, no effect here"),
+                _unread("L_MINI", "value of the original"),
+                Column(
+                    "ID1",
+                    "*SOILSTIFF of the seabed, 0: KN",
+                    bounds=IDS_OR_NONE,
+                    kind="integer",
+                    default=0,
+                ),
+                Column(
+                    "ID2",
+                    "*SUCTION of the seabed, 0: none",
+                    bounds=IDS_OR_NONE,
+                    kind="integer",
+                    default=0,
+                ),
+                _unread("FRICTMOM", "friction against torsion"),
+                _unread("IDSTIFFAMP", "stiffness by amplitude"),
+                _unread("RADRATIO", "value of the original, 0.2 by default", "0", "0.2"),
+                _unread("IDTREN", "trench"),
+                _unread("XMUO", "friction before a ramp"),
+                _unread("IDFAX", "law of axial friction"),
+                _unread("IDFLAT", "law of lateral friction"),
+                _unread("INOR", "value of the original"),
+                _unread("ISHELTER", "value of the original"),
+                Column(
+                    "SURFACE",
+                    "limits of friction: BOX along and across separately, as the original; ELLIPSE "
+                    "together",
+                    key="surface",
+                    kind="word",
+                    choices=("BOX", "ELLIPSE"),
+                    named=True,
+                    default="BOX",
+                ),
+                Column(
+                    "FORM",
+                    "reaction INTEGRATED along the elements, or NODAL, lumped at nodes as the "
+                    "original",
+                    key="form",
+                    kind="word",
+                    choices=("INTEGRATED", "NODAL"),
+                    named=True,
+                    default="INTEGRATED",
+                ),
+            ),
+        ),
     ),
-    "*TYPCONTACT\n1 2 2 0.2 0 1e8 GAP=0.02",
-    "The original's 22 values; those that tubes have no use for may be 0 or left out. Without gap "
-    "and friction, a rigid contact lets the tubes deflect as one and stretch apart. KN times "
-    "DENSITY is the stiffness per length.",
+    "*TYPCONTACT\n1 2 2 0.2 0 1e8 GAP=0.02\n"
+    "0 11 3 0.3 0.6 5e4 0.01 0.03 1 10 0 0 1 SURFACE=ELLIPSE",
+    "The original's 22 values; ITYP12 tells which of the two layouts they have. KN times DENSITY "
+    "is the stiffness per length. Of tubes: those without use may be 0 or left out; without gap "
+    "and friction, a rigid contact lets the tubes deflect as one and stretch apart. Of the seabed: "
+    "ID1 names a *SOILSTIFF, in place of KN, and ID2 a *SUCTION; what is not read has to be 0 or "
+    "left out. Lines on lines, ITYP12 = 1, are not read by this version.",
 )
 
 CONTACT = Keyword(
@@ -215,7 +319,7 @@ CONTACT = Keyword(
         Row(
             "contact",
             (
-                *(_seabed(name) for name in ("NBE", "NITCON", "NITNOR")),
+                *(_idle(name) for name in ("NBE", "NITCON", "NITNOR")),
                 Column(
                     "KN",
                     "stiffness where *TYPCONTACT has none",
@@ -228,16 +332,26 @@ CONTACT = Keyword(
                     "DISCON",
                     "penetration over which a contact takes hold",
                     "m",
-                    POSITIVE,
+                    Bounds(0.0, 1e6, open=True),
                     "tolerance",
                     default=1e-4,
                 ),
-                *(_seabed(name) for name in ("XL_MIN", "NBE_SOL", "KN_SOL", "IT_EXIT")),
+                *(_idle(name) for name in ("XL_MIN", "NBE_SOL")),
+                Column(
+                    "KN_SOL",
+                    "stiffness of the seabed where *TYPCONTACT has none",
+                    "N/m",
+                    Bounds(0.0, 1e15),
+                    "seabed_stiffness",
+                    default=0.0,
+                ),
+                _idle("IT_EXIT"),
             ),
         ),
     ),
-    "*CONTACT\n20 5 2 1e8 1e-4",
-    "Of its nine values contacts of tubes need KN and DISCON; the counts of the original's loops "
-    "have no meaning here.",
+    "*CONTACT\n20 5 2 1e8 1e-4 0 0 5e4",
+    "Contacts of tubes need KN and DISCON of its nine values, lines on the seabed KN_SOL and "
+    "DISCON; the counts of the original's loops have no meaning here. KN_SOL times DENSITY of "
+    "*TYPCONTACT is the stiffness per length.",
     once=True,
 )

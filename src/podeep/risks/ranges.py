@@ -182,6 +182,20 @@ SLIPS: Mapping[str, Slip] = {
     "rock_quality_designation": Slip(1.5, inf, (5.0, 100.0), {"as a share": 100.0}),
     "multiplier": Slip(0.0, 5.0, (0.05, 1.0), _SHARE),
 }
+#: Of a line on the seabed: attribute, name in the deck, unit.
+CONTACT_SLIPS = (
+    ("axial_friction", "MU2", "-", Slip(0.0, 3.0, (0.05, 3.0), _SHARE)),
+    ("lateral_friction", "MU3", "-", Slip(0.0, 3.0, (0.05, 3.0), _SHARE)),
+    (
+        "stiffness",
+        "KN DENSITY",
+        "N/m2",
+        Slip(500.0, 1e10, (1e3, 1e9), {"kN/m2": 1e3, "MN/m2": 1e6}),
+    ),
+    ("axial_threshold", "XSEUIL2", "m", Slip(0.0, 2.0, (1e-4, 1.0), {"mm": 1e-3})),
+    ("lateral_threshold", "XSEUIL3", "m", Slip(0.0, 2.0, (1e-4, 1.0), {"mm": 1e-3})),
+    ("tolerance", "DISCON", "m", Slip(0.0, 0.5, (1e-6, 0.5), {"mm": 1e-3})),
+)
 _LENGTHS = {"mm": 1e-3, "in": 0.0254}
 _DENSITIES = {"t/m3": 1e3, "kN/m3": 1e3 / 9.81, "N/m3": 1.0 / 9.81}
 #: Of a section of a tube: attribute, name in the deck, unit.

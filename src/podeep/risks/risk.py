@@ -4,8 +4,9 @@ from collections.abc import Iterator, Sequence
 from math import floor, log10
 from typing import NamedTuple
 
+from ..tubes import Wall
 from ..units import short
-from .ranges import Slip
+from .ranges import TUBE_SLIPS, Slip
 
 _PREFIXES = (("G", 1e9), ("M", 1e6), ("k", 1e3))
 _MOST = 4  # ids that are listed
@@ -101,3 +102,12 @@ def slips(
     taken = "a ratio" if value.unit == "-" else value.unit
     rule = f"{bound} it is as a rule a slip of units ({taker} takes {taken})"
     yield Risk(subject, about, str(value), rule, remedy)
+
+
+def wall_slips(subject: str, section: Wall) -> Iterator[Risk]:
+    """Slips of units in a section of a tube or line."""
+    replaced = section.bending_stiffness_override and section.axial_stiffness_override
+    for attribute, name, unit, slip in TUBE_SLIPS:
+        if not (replaced and attribute == "youngs_modulus"):
+            value = Value(name, getattr(section, attribute), unit)
+            yield from slips(subject, attribute, value, slip)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array
+from ..scene import Suction
 from ..soil.polyline import Values
 from .bounds import POSITIVE, within
 
@@ -138,3 +139,23 @@ class Wear:
         """d after a way, m."""
         decay = np.exp(-3.0 * way / self.diameter / self.travel_95)
         return np.asarray(self.remaining + (1.0 - self.remaining) * decay)
+
+
+def pull_out_of(suction: Suction, diameter: Values) -> PullOut:
+    """The law of a scene's suction on a pipe of a diameter, m.
+
+    Raises InvalidData for values out of bounds.
+    """
+    force: Values | None = suction.force_factor
+    if force is None:  # then it has a strength
+        strength = suction.undrained_shear_strength or 0.0
+        force = force_factor(diameter, strength, suction.force_exponent)
+    reach = suction.reach_factor
+    return PullOut(
+        force_factor=force,
+        reach_factor=reach_factor(diameter) if reach is None else reach,
+        force_exponent=suction.force_exponent,
+        reach_exponent=suction.reach_exponent,
+        mobilised=suction.mobilised,
+        released=suction.released,
+    )
