@@ -43,7 +43,7 @@ solve.equations solve.stage solve.integrators solve.conserving solve.drive solve
 solve.starts solve.dynamics solve.simulate solve.resume
 solve.eigen solve.families solve.about_state solve.modes solve.plan solve.adaptive solve.pace
 line.__init__ line.rod line.catenary line.boundary_layer line.bed line.equations line.statics
-line.results
+line.results line.assemble line.analysis
 database.__init__ database.schema database.envelope database.layout database.target database.stream
 database.trust database.restart database.write database.foundation database.read
 demand embedded capacity

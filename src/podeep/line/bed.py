@@ -1,4 +1,4 @@
-"""The seabed under a line: normal reaction and friction at points of it, level at z = 0.
+"""The seabed under a line: normal reaction and friction at points of it; the seabed is level.
 
 Points are the Gauss points of the elements (the reaction is integrated along them), or their ends,
 each with the length of line that belongs to it (concentrated at the nodes, as DeepLines has it).
@@ -13,7 +13,7 @@ from ..beam.band import band_place, pairs, scatter
 from ..beam.field import Field
 from ..beam.shapes import gauss_points
 from ..seabed.friction import Friction
-from ..soil.memory import Backbone
+from ..soil.memory import Backbone, Memory
 
 Form = Literal["integrated", "nodal"]
 _POINTS = 4  # more than the degree: the reaction has a corner where a line touches down
@@ -35,10 +35,13 @@ def contact_points(field: Field, form: Form) -> tuple[Array, Array]:
 class Bed:
     """What the seabed does to a line.
 
-    normal: force per length against penetration, N/m; friction: with as many points, or None. s,
-    weight: `contact_points`. Friction acts along the horizontal tangent of the last `commit` and
-    across it, under the normal force `pressing`, N/m: with that fixed it has an energy, and the
-    tangent is symmetric. `press` brings it up to where an iteration has ended.
+    normal: force per length against penetration, N/m, with or without a memory; friction: with as
+    many points, or None. s, weight: `contact_points`. level: elevation of the line's axis where it
+    just touches the seabed, m.
+
+    Friction acts along the horizontal tangent of the last `commit` and across it, under the normal
+    force `pressing`, N/m: with that fixed it has an energy, and the tangent is symmetric. `press`
+    brings it up to where an iteration has ended.
     """
 
     def __init__(
@@ -48,8 +51,9 @@ class Bed:
         places: tuple[Array, Array],
         normal: Backbone,
         friction: Friction | None = None,
+        level: float = 0.0,
     ) -> None:
-        self.s, self.weight = places
+        (self.s, self.weight), self.level = places, level
         self.normal, self.friction, self.components = normal, friction, components
         rows = field.interpolation(self.s, 0)
         slopes = field.interpolation(self.s, 1)
@@ -69,12 +73,12 @@ class Bed:
 
     def penetration(self, q: Array) -> Array:
         """Of the points, m."""
-        return -self.places(q)[:, -1]
+        return self.level - self.places(q)[:, -1]
 
     def internal(self, q: Array) -> Array:
         """What the seabed resists with, (size,), N."""
         place = self.places(q)
-        normal, self._stiffness = self.normal.evaluate(-place[:, -1])
+        normal, self._stiffness = self.normal.evaluate(self.level - place[:, -1])
         force = np.zeros_like(place)
         force[:, -1] = -normal
         self._dragged = np.zeros((len(self.s), self.components - 1, self.components - 1))
@@ -138,6 +142,8 @@ class Bed:
         if self.friction is not None:
             slip = np.zeros((len(self.s), 2)) if self._begun is None else self._slip(place)
             self.friction.commit(slip, self.pressing)
+        if isinstance(self.normal, Memory):
+            self.normal.commit(self.level - place[:, -1])
         slope = np.einsum("nl,nlm->nm", self._slopes, q[self._dofs])[:, :-1]
         size = np.linalg.norm(slope, axis=1, keepdims=True)
         upright = np.zeros_like(slope)

@@ -5,6 +5,7 @@ interleaved. What statics needs of a system of equations is that of `model.syste
 at a state, solutions with the tangent there.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,6 +23,25 @@ _SHIFTS = (1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4)  # of the diagonal, where the tangen
 
 
 @dataclass(frozen=True, eq=False)
+class Clamp:
+    """A stiff spring that holds the tangent r' of a node against turning from a direction.
+
+    unknowns: of its slope, (m,); direction: a unit vector, (m,); stiffness: N of the field's
+    scaling.
+    """
+
+    unknowns: Index
+    direction: Array
+    stiffness: float
+
+    @property
+    def matrix(self) -> Array:
+        """(m, m)."""
+        across = np.eye(len(self.direction)) - np.outer(self.direction, self.direction)
+        return np.asarray(self.stiffness * across)
+
+
+@dataclass(frozen=True, eq=False)
 class Sections:
     """Of each element: EA (N), EI (N m2), submerged weight (N/m) per unstretched length, (n,)."""
 
@@ -35,14 +55,20 @@ class LineSystem:
 
     field: of one component over the unstretched arc length. components: 2 in a vertical plane (x
     and z), 3 in space; the last one is z, upwards. held: unknowns that are given. bed: what the
-    seabed does; None for none.
+    seabed does; None for none. clamps: directions that are held.
     """
 
     def __init__(
-        self, field: Field, components: int, sections: Sections, held: Index, bed: Bed | None
+        self,
+        field: Field,
+        components: int,
+        sections: Sections,
+        held: Index,
+        bed: Bed | None,
+        clamps: Sequence[Clamp] = (),
     ) -> None:
         self.field, self.components, self.sections = field, components, sections
-        self.held, self.bed = held, bed
+        self.held, self.bed, self.clamps = held, bed, tuple(clamps)
         self.size = field.size * components
         self.unstretched_length = float(field.edges[-1] - field.edges[0])
         #: no unknown of a line that is held gets as large as that, m
@@ -81,6 +107,8 @@ class LineSystem:
         own = np.einsum("enl,enm->elm", self._slope, force[:, :, 0])
         own += np.einsum("enl,enm->elm", self._bend, force[:, :, 1])
         total = scatter(self._dofs, own, self.size)
+        for clamp in self.clamps:
+            total[clamp.unknowns] += clamp.matrix @ q[clamp.unknowns]
         if self.bed is not None:
             total += self.bed.internal(q)
         return total
@@ -100,6 +128,10 @@ class LineSystem:
         entries = whole.reshape(count, local * m, local * m)[:, i, j]
         flat = scatter(self._places, entries, self.width * self.size)
         band: Array = flat.reshape((self.width, self.size), order="F")
+        for clamp in self.clamps:
+            for column, unknown in enumerate(clamp.unknowns):
+                below = clamp.unknowns[column:]
+                band[below - unknown, unknown] += clamp.matrix[column:, column]
         if self.bed is not None:
             self.bed.stiffen(band)
         return band
@@ -148,6 +180,11 @@ class LineSystem:
     def solve_by_secants(self, right: Array) -> Array | None:
         """As `solve`: the tangent is what a line has."""
         return self.solve(right)
+
+    @property
+    def reaction(self) -> Array:
+        """What the seabed resists with at the last `internal`, (points, components), N/m."""
+        return np.zeros((0, self.components)) if self.bed is None else self.bed.reaction
 
     def total_reaction(self) -> float:
         """Magnitudes of what the seabed gives at the last `internal`, added up, N."""

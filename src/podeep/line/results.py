@@ -1,5 +1,6 @@
 """What a line does at any unstretched distance from its first end."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -7,30 +8,59 @@ from scipy.optimize import brentq
 
 from ..arrays import Array, Index
 from .equations import LineSystem
+from .statics import LineState
 
 _LOOKS = 16  # places in each element at which the touchdown is looked for
 
 
 @dataclass(frozen=True, eq=False)
 class LineResults:
-    """A line in some states, (steps, unknowns)."""
+    """A line in some states of statics."""
 
     system: LineSystem
-    states: Array
+    states: Sequence[LineState]
 
     def position(self, s: Array, derivative: int = 0) -> Array:
         """r, or a derivative d/ds of it, at distances s, (steps, n, components), m."""
         rows = self.system.field.interpolation(s, derivative)
-        q = self.states.reshape(len(self.states), -1, self.system.components)
+        q = np.array([state.q for state in self.states])
+        q = q.reshape(len(q), -1, self.system.components)
         return np.asarray(np.einsum("nk,snkm->snm", rows.shares, q[:, rows.dofs]))
 
     def _element(self, s: Array) -> Index:
         return self.system.field.elements(s)
 
+    def force(self, s: Array) -> Array:
+        """What the part beyond s pulls with on the part before it, (steps, n, components), N.
+
+        From what holds end 1, the weight and the seabed: these are in balance in every element,
+        whatever its stretch. Within an element it is a straight line.
+        """
+        edges = self.system.field.edges
+        every = np.array([self._force_at_edges(state) for state in self.states])
+        element = np.clip(edges.searchsorted(s, side="right") - 1, 0, len(edges) - 2)
+        share = ((s - edges[element]) / np.diff(edges)[element])[:, None]
+        return np.asarray(every[:, element] * (1.0 - share) + every[:, element + 1] * share)
+
+    def _force_at_edges(self, state: LineState) -> Array:
+        """The same at the ends of elements, (elements + 1, components)."""
+        system = self.system
+        edges, m = system.field.edges, system.components
+        load = np.zeros((len(edges), m))
+        load[1:, -1] = -state.load * system.sections.weight * np.diff(edges)
+        for unknown, force in zip(system.held, state.forces, strict=True):
+            if unknown < m:
+                load[0, unknown] += force
+        if system.bed is not None:
+            pushed = -system.bed.weight[:, None] * state.reaction
+            np.add.at(load, np.clip(edges.searchsorted(system.bed.s), 0, len(edges) - 1), pushed)
+        return -np.cumsum(load, axis=0)
+
     def tension(self, s: Array) -> Array:
         """Effective tension along the line, (steps, n), N."""
-        stretch = np.linalg.norm(self.position(s, 1), axis=-1) - 1.0
-        return np.asarray(self.system.sections.axial[self._element(s)] * stretch)
+        along = self.position(s, 1)
+        along /= np.linalg.norm(along, axis=-1, keepdims=True)
+        return np.asarray(np.einsum("snm,snm->sn", self.force(s), along))
 
     def moment(self, s: Array) -> Array:
         """Bending moment, (steps, n), N m: positive sagging in a plane, its size in space."""
@@ -43,8 +73,9 @@ class LineResults:
         return np.asarray(self.system.sections.bending[self._element(s)] * turning / A)
 
     def penetration(self, s: Array) -> Array:
-        """Into the seabed, positive downwards, (steps, n), m."""
-        return -self.position(s)[..., -1]
+        """Of the line's axis into the seabed, positive downwards, (steps, n), m."""
+        level = -np.inf if self.system.bed is None else self.system.bed.level
+        return np.asarray(level - self.position(s)[..., -1])
 
     def touchdown(self) -> Array:
         """Distance at which the line first touches the seabed, seen from its second end, (steps,).
@@ -59,7 +90,7 @@ class LineResults:
 
 
 def _last(results: LineResults, step: int, s: Array) -> float:
-    one = LineResults(results.system, results.states[step : step + 1])
+    one = LineResults(results.system, [results.states[step]])
 
     def depth(at: float) -> float:
         return float(one.penetration(np.array([at]))[0, 0])

@@ -32,13 +32,15 @@ class LineState:
     """Equilibrium at the end of a stage, or where it stopped.
 
     q: unknowns; load: the factor on the load; forces: what holds the held unknowns, (held,), N;
-    reached: part of the stage; ending: CONVERGED, or why it stopped; residual: force out of balance
-    over the largest one; parts, work: what it took.
+    reaction: what the bed resists with at its points, (n, components), N/m; reached: part of the
+    stage; ending: CONVERGED, or why it stopped; residual: force out of balance over the largest
+    one; parts, work: what it took.
     """
 
     q: Array
     load: float
     forces: Array
+    reaction: Array
     reached: float
     ending: Ending
     residual: float
@@ -54,7 +56,7 @@ def laid(system: LineSystem, start: Array, limits: Limits) -> LineState:
         system.bed.press()
         system.bed.commit(outcome.q)
     told = (outcome.ending, outcome.residual, 1, outcome.work)
-    return LineState(outcome.q, 1.0, forces, 1.0, *told)
+    return LineState(outcome.q, 1.0, forces, system.reaction, 1.0, *told)
 
 
 def follow(
@@ -97,7 +99,7 @@ def _stage(system: LineSystem, start: LineState, stage: Stage, limits: Limits) -
         if reached == 1.0 or part < _SHORTEST:
             forces = (system.internal(q) - load * system.load)[system.held]
             told = (reached, outcome.ending, residual, parts, work)
-            return LineState(q, load, forces, *told)
+            return LineState(q, load, forces, system.reaction, *told)
 
 
 def _scale(system: LineSystem) -> Scale:

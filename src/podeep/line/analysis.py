@@ -1,0 +1,120 @@
+"""Statics of a line of the scene: laid down, then taken through the steps, to the accuracy asked.
+
+Errors are told by the same analysis on elements half as long. Friction and suction depend on the
+way, so that each mesh goes it from the start.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Array
+from ..scene import Line, Scene
+from ..solve.newton import Ending, Limits
+from .assemble import LineModel, assemble, mesh
+from .results import LineResults
+from .statics import LineState, Stage, follow, laid
+
+_MESHES = 4  # halvings of all elements, at most
+_PLACES = 400  # distances at which two meshes are compared
+_ITERATIONS = 200  # to lay a line: its first shape may be far from where it lies
+
+
+@dataclass(frozen=True)
+class SolvedLine:
+    """States of a line: laid (step 0), then at the end of each step that was reached.
+
+    errors: of position, tension and moment over their largest, by comparison with elements half as
+    long, (3,); failure: why steps are missing; empty if none are.
+    """
+
+    model: LineModel
+    states: tuple[LineState, ...]
+    errors: Array
+    accuracy: float
+    failure: str
+
+    @property
+    def line(self) -> Line:
+        return self.model.line
+
+    @property
+    def results(self) -> LineResults:
+        """Of the states that are equilibria."""
+        return LineResults(self.model.system, self.states)
+
+    @property
+    def accurate(self) -> bool:
+        return bool((self.errors <= self.accuracy).all())
+
+
+def solve_line(scene: Scene, line: Line) -> SolvedLine:
+    """Lay a line and take it through the steps, on meshes that are halved until errors are small.
+
+    The finer of the last two meshes is what is returned. Raises UserError for a line that cannot be
+    laid.
+    """
+    contact = next((c for c in scene.seabed_contacts if c.line == line.id), None)
+    accuracy = scene.numerics.accuracy
+    rough = _solve(scene, assemble(scene, line, mesh(scene, line, contact, 0)))
+    for refined in range(1, _MESHES + 1):
+        fine = _solve(scene, assemble(scene, line, mesh(scene, line, contact, refined)))
+        found = SolvedLine(fine[0], fine[1], _apart(rough, fine), accuracy, fine[2])
+        if found.accurate or fine[2] or all(s.elements is not None for s in line.sections):
+            break
+        rough = fine
+    return found
+
+
+_Found = tuple[LineModel, tuple[LineState, ...], str]
+
+
+def _solve(scene: Scene, model: LineModel) -> _Found:
+    limits = Limits(min(1e-3 * scene.numerics.accuracy, 1e-7), iterations=_ITERATIONS)
+    first = laid(model.system, model.start, limits)
+    if first.ending is not Ending.CONVERGED:
+        return model, (), f"the line could not be laid: {first.ending.value}"
+    states, failure = [first], ""
+    for step, state in enumerate(follow(model.system, first, stages(scene, model), limits), 1):
+        if state.ending is not Ending.CONVERGED:
+            reached = f"step {step} stops at {state.reached:.4g} of it"
+            failure = f"{reached}: {state.ending.value}"
+            break
+        states.append(state)
+    return model, tuple(states), failure
+
+
+def stages(scene: Scene, model: LineModel) -> Iterator[Stage]:
+    """Where the held ends are at the end of each step."""
+    line, plane, system = model.line, model.plane, model.system
+    field, m = system.field, system.components
+    begin = model.start[system.held]
+    motions = [one for one in scene.line_motions if one.line == line.id]
+    for factors in scene.steps.factors:
+        by_name = dict(zip(scene.steps.names, factors, strict=True))
+        whole = np.zeros(system.size)
+        for one in motions:
+            value = one.target * by_name.get(one.name, 0.0)
+            node = field.node(0.0 if one.end == 1 else float(field.edges[-1])) * m
+            if one.dof in ("X", "Y", "Z"):
+                move = np.array([one.dof == axis for axis in "XYZ"], dtype=float) * value
+                whole[node : node + m] += plane.turned(move)
+        yield Stage(begin + whole[system.held])
+
+
+def _apart(rough: _Found, fine: _Found) -> Array:
+    """Errors of position, tension and moment of the rougher mesh, over the largest, (3,)."""
+    n = min(len(rough[1]), len(fine[1]))
+    if not n:
+        return np.ones(3)
+    one, other = (LineResults(model.system, states[:n]) for model, states, _ in (rough, fine))
+    s = np.linspace(0.0, fine[0].system.unstretched_length, _PLACES + 1)
+    found = []
+    for value in (LineResults.position, LineResults.tension, LineResults.moment):
+        first, second = value(one, s), value(other, s)
+        size = np.abs(second).max()
+        if value is LineResults.position:
+            size = np.ptp(second.reshape(-1, second.shape[-1]), axis=0).max()
+        found.append(np.abs(first - second).max() / size if size > 0.0 else 0.0)
+    return np.array(found)
