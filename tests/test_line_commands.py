@@ -205,7 +205,7 @@ SEABED = [c for c in KEYWORDS["TYPCONTACT"].rows[1].columns if c.name in ("MU2",
 
 
 @settings(
-    max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+    max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 @given(data=st.data())
 def test_whatever_is_within_bounds_can_be_told(tmp_path: Path, data: st.DataObject) -> None:

@@ -11,6 +11,7 @@ from .tubes import Wall
 Surface = Literal["box", "ellipse"]
 Form = Literal["integrated", "nodal"]
 Point = tuple[float, float, float]
+_SOFTEST = 1e-3  # N/m2
 TRANSLATIONS: tuple[Dof, ...] = ("X", "Y", "Z")
 
 
@@ -162,8 +163,9 @@ class SeabedContact:
                 "give KN, or the id of a *SOILSTIFF as ID1, or KN_SOL of *CONTACT",
                 "KN",
             )
-        if self.stiffness is not None and not self.stiffness > 0.0:
-            raise InvalidData(f"a seabed of {self.stiffness:g} N/m2", "give more than 0", "KN")
+        if self.stiffness is not None and not self.stiffness >= _SOFTEST:
+            rule = f"give KN DENSITY of {_SOFTEST:g} or more"
+            raise InvalidData(f"a seabed of {self.stiffness:g} N/m2", rule, "KN")
         for value, name, field in (
             (self.axial_threshold, "a threshold", "XSEUIL2"),
             (self.lateral_threshold, "a threshold", "XSEUIL3"),
