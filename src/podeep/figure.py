@@ -77,7 +77,7 @@ def _evolution(axes: "Axes", curves: Curves, origin: Origin) -> None:
     for number, label in enumerate(labels):
         values = curves.values[:, number] * quantity.scale
         axes.plot(curves.rows, values, label=label, **pen(number, len(labels), len(values)))
-    axes.axhline(0.0, color=ZERO, linewidth=0.8)
+    _zero(axes, curves)
     if origin.axis == "step":
         axes.xaxis.set_major_locator(MaxNLocator(8, integer=True))
     axes.margins(x=0.02)
@@ -100,24 +100,26 @@ def _profile(axes: "Axes", curves: Curves, origin: Origin) -> None:
 
 
 def _along(axes: "Axes", curves: Curves, origin: Origin) -> None:
-    """Curves, or the band of an envelope, along a line, which lies from left to right.
-
-    Penetration runs downward, as the seabed is seen from the side.
-    """
+    """Curves, or the band of an envelope, along a line, which lies from left to right."""
     quantity = QUANTITIES[curves.quantity]
     points, values = curves.points, curves.values * quantity.scale
     if curves.kind == "envelope":
         axes.fill_between(points, values[0], values[1], color=PALETTE[2], alpha=0.25, lw=0.0)
     for row, style in zip(values, _styles(curves, origin), strict=True):
         axes.plot(points, row, **style)
+    _zero(axes, curves)
+    axes.margins(x=0.02)
+    axes.set_xlabel(f"{origin.subject.where.capitalize()} (m)")
+    axes.set_ylabel(quantity.label)
+
+
+def _zero(axes: "Axes", curves: Curves) -> None:
+    """The zero line; that of penetration, which runs downward, is the mudline."""
     if curves.quantity == "penetration":
         axes.axhline(0.0, color=MUDLINE, linewidth=2.0, label="mudline", zorder=1.0)
         axes.invert_yaxis()
     else:
         axes.axhline(0.0, color=ZERO, linewidth=0.8)
-    axes.margins(x=0.02)
-    axes.set_xlabel(f"{origin.subject.where.capitalize()} (m)")
-    axes.set_ylabel(quantity.label)
 
 
 def _styles(curves: Curves, origin: Origin) -> list[dict[str, Any]]:
