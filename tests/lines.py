@@ -2,7 +2,7 @@
 
 A pipe of 160 m lies from end 1 up to its touchdown point and hangs as a catenary from there to end
 2. From state to state the horizontal tension grows, the touchdown point moves towards end 1, and
-the laid part is drawn out against friction of the rigid-plastic kind. Across the line nothing moves.
+the laid part is drawn out against friction of the rigid-plastic kind. Nothing moves sideways.
 """
 
 from collections.abc import Sequence
@@ -31,7 +31,7 @@ def grid(name: str = "L1", distance: Array = DISTANCE) -> LineGrid:
 
 
 def amplitude(kind: Kind, axis: Array) -> Array:
-    """How far the line is pulled at the steps, or at the times, in which it is pulled to and fro."""
+    """How far the line is pulled at the steps; to and fro at the times."""
     return 2.5 * (1.0 - np.cos(axis)) if kind == "dynamic" else np.asarray(axis, dtype=float)
 
 
