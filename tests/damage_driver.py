@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 import builders
-import lines
+import risers
 from podeep.database.write import Writer
 from podeep.errors import UserError
 from test_database_hostile import read_everything
@@ -39,7 +39,7 @@ def make(kind: str, folder: Path) -> Path:
         case "static":
             return builders.static_database(folder / "run.dss", spatial=True)
         case "lines":
-            return lines.static_database(folder / "run.dss", foundations=("F1",))
+            return risers.static_database(folder / "run.dss", foundations=("F1",))
         case "dynamic":
             return builders.dynamic_database(folder / "run.dst", times=times, depth=depth)
         case "compressed":

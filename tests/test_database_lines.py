@@ -9,7 +9,7 @@ import pytest
 import xarray
 
 import builders
-import lines
+import risers
 from podeep.database.read import FoundationData, LineData, open_database
 from podeep.database.schema import places, variables
 from podeep.database.write import LineGrid, Writer
@@ -23,7 +23,7 @@ SHAPE = (6, 81)
 
 @pytest.fixture(scope="module")
 def both(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return lines.static_database(
+    return risers.static_database(
         tmp_path_factory.mktemp("lines") / "run.dss",
         lines=("L2", "L10"),
         foundations=("F3",),
@@ -49,13 +49,13 @@ def test_every_value_of_a_line_comes_back(both):
     with open_database(both) as database:
         for name in database.lines:
             data = database.line(name)
-            assert np.array_equal(data.points, lines.DISTANCE)
+            assert np.array_equal(data.points, risers.DISTANCE)
             assert np.array_equal(data.axis, STEPS)
-            assert data.mudline == lines.MUDLINE
+            assert data.mudline == risers.MUDLINE
             assert data.layer_boundaries.size == 0
             assert not data.spatial
             assert data.load_factor.tolist() == [[s, 2 * s] for s in STEPS]
-            written = lines.riser(lines.DISTANCE, STEPS)
+            written = risers.riser(risers.DISTANCE, STEPS)
             for quantity, values in written.items():
                 assert np.array_equal(data.read(quantity), values)
             assert set(written) >= set(LINE.quantities)
@@ -63,7 +63,7 @@ def test_every_value_of_a_line_comes_back(both):
 
 def test_its_envelopes_are_over_all_steps_and_tell_when(both):
     with open_database(both) as database:
-        written = lines.riser(lines.DISTANCE, STEPS)
+        written = risers.riser(risers.DISTANCE, STEPS)
         for quantity in LINE.quantities:
             low, high, low_at, high_at = database.line("L2").envelope(quantity)
             values = written[quantity]
@@ -87,8 +87,8 @@ def test_a_line_changes_no_byte_of_what_stands_beside_it(both, tmp_path):
 
 def test_lines_in_motion_open_at_any_row(tmp_path):
     times = np.linspace(0.0, 10.0, 50)
-    path = lines.dynamic_database(tmp_path / "run.dst", times=times, block=7)
-    written = lines.riser(lines.DISTANCE, lines.amplitude("dynamic", times))
+    path = risers.dynamic_database(tmp_path / "run.dst", times=times, block=7)
+    written = risers.riser(risers.DISTANCE, risers.amplitude("dynamic", times))
     with open_database(path) as database:
         data = database.line("L1")
         assert np.array_equal(data.read("penetration", [40, 3]), written["penetration"][[40, 3]])
@@ -96,10 +96,10 @@ def test_lines_in_motion_open_at_any_row(tmp_path):
 
 
 def test_the_partial_of_a_line_opens(tmp_path):
-    times, grids = np.linspace(0.0, 1.0, 8), [lines.grid()]
+    times, grids = np.linspace(0.0, 1.0, 8), [risers.grid()]
     arguments = {"kind": "dynamic", "title": "", "deck_text": "", "grids": grids, "loads": ()}
     with Writer(tmp_path / "run.dst", **arguments) as out:
-        out.append(times, lines.row_values("dynamic", grids, times))
+        out.append(times, risers.row_values("dynamic", grids, times))
         out.flush()
         with open_database(out.path) as database:
             data = database.line("L1")
@@ -153,8 +153,8 @@ def test_impossible_distances(distance):
     ],
 )
 def test_bad_rows_of_a_line_are_a_fault_of_the_program(tmp_path, change, message):
-    grids = [lines.grid()]
-    values = lines.row_values("static", grids, STEPS)
+    grids = [risers.grid()]
+    values = risers.row_values("static", grids, STEPS)
     change(values)
     arguments = {"kind": "static", "title": "", "deck_text": "", "grids": grids, "loads": ()}
     with Writer(tmp_path / "run.dss", **arguments) as out, pytest.raises(ValueError, match=message):
@@ -195,7 +195,7 @@ CHANGES = {
 
 @pytest.mark.parametrize("case", CHANGES)
 def test_changed_lines_are_refused_in_words(tmp_path, case):
-    path = lines.static_database(tmp_path / "run.dss")
+    path = risers.static_database(tmp_path / "run.dss")
     change, message = CHANGES[case]
     with h5py.File(path, "r+") as file:
         change(file)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-import lines
+import risers
 from fields import Foundation
 from podeep.database.read import open_database
 from podeep.figure import draw
@@ -106,9 +106,9 @@ def test_a_result_along_a_line_is_straight_between_its_points():
 
 
 def test_a_riser_in_a_file_is_read_between_its_points_and_steps(tmp_path):
-    path = lines.dynamic_database(tmp_path / "run.dst", times=np.array([0.0, 1.0, 3.0]))
-    a = lines.amplitude("dynamic", np.array([1.0, 3.0]))
-    written = lines.riser(np.array([70.0, 72.0]), a)["penetration"]
+    path = risers.dynamic_database(tmp_path / "run.dst", times=np.array([0.0, 1.0, 3.0]))
+    a = risers.amplitude("dynamic", np.array([1.0, 3.0]))
+    written = risers.riser(np.array([70.0, 72.0]), a)["penetration"]
     with open_database(path) as database:
         curves = snapshot(database.line("L1"), "penetration", np.array([70.5]), [1.5])
     half = written @ [0.75, 0.25]

@@ -12,7 +12,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 import pytest
 
-import lines
+import risers
 from builders import dynamic_database, static_database
 
 TRANSCRIPTS = Path(__file__).parent / "transcripts"
@@ -50,9 +50,9 @@ def databases(folder: Path) -> None:
     static_database(folder / "several.dss", foundations=("F1", "F2"))
     static_database(folder / "single.dss", steps=1)
     static_database(folder / "spatial.dss", spatial=True)
-    lines.static_database(folder / "riser.dss")
-    lines.dynamic_database(folder / "riser.dst", times=np.linspace(0.0, 10.0, 11))
-    lines.static_database(folder / "riser_and_pile.dss", foundations=("F1",))
+    risers.static_database(folder / "riser.dss")
+    risers.dynamic_database(folder / "riser.dst", times=np.linspace(0.0, 10.0, 11))
+    risers.static_database(folder / "riser_and_pile.dss", foundations=("F1",))
     shutil.copy(REAL_RUN, folder)
 
 

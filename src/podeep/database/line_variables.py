@@ -50,7 +50,7 @@ LINE_VARIABLES: tuple[Variable, ...] = (
         ("axis",),
         "m",
         "distance along the line of the touchdown point",
-        "the first point, seen from end 2, that touches the seabed; end 1 where none does",
+        "the first point seen from end 2 that touches the seabed; end 1 (0) where none does",
     ),
     Variable(
         "touchdown_x", ("axis",), "m", "x of the touchdown point", "global axes, as the line lies"
@@ -73,7 +73,7 @@ LINE_VARIABLES: tuple[Variable, ...] = (
         "bending_moment",
         "N m",
         "bending moment",
-        "magnitude: bending stiffness times curvature",
+        "positive sagging in a planar scene, its size in a spatial one",
         group="line",
     ),
 )
