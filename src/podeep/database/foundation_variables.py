@@ -3,13 +3,13 @@
 from dataclasses import replace
 
 from ..subject import FOUNDATION
-from .variable import LOADS, PROGRESS, RESISTING, Variable, axes, extremes
+from .variable import LOADS, PROGRESS, Variable, axes, extremes
 
 _LATERAL = (
     "in a planar scene signed along lateral_axis, the direction in degrees from x that its group "
     "states; in a spatial scene the magnitude of the components _x and _y"
 )
-_RESISTING = f"reaction of the soil on the outermost tube, {RESISTING}"
+_RESISTING = "reaction of the soil on the outermost tube, positive against a positive displacement"
 _ABOVE = "what the part above exerts on the part below"
 _RIGHT_HAND = "by the right hand about the global axis"
 

@@ -1,13 +1,12 @@
 """What a database holds of a line: a pipe or riser on the seabed."""
 
 from ..subject import LINE
-from .variable import LOADS, PROGRESS, RESISTING, Group, Variable, axes, extremes
+from .variable import LOADS, PROGRESS, Group, Variable, axes, extremes
 
 _ROWS = ("axis", "distance")
-_SIDEWAYS = "horizontal across the line, positive to the left of the way to end 2"
-_ALONG = "along the line, positive towards end 2"
+_LEFT = "to the left of the way to end 2"
 _LAID = "since the end of laying (step 0)"
-_FRICTION = f"of the seabed, {RESISTING}"
+_FRICTION = "friction of the seabed, positive against displacement"
 
 
 def _result(name: str, units: str, long_name: str, comment: str, group: Group = "") -> Variable:
@@ -15,15 +14,20 @@ def _result(name: str, units: str, long_name: str, comment: str, group: Group = 
 
 
 _PROFILE = (
-    _result("lateral_displacement", "m", "lateral displacement", f"{_LAID}, {_SIDEWAYS}"),
     _result(
-        "lateral_force",
-        "N m-1",
-        "lateral friction per length",
-        f"{_FRICTION}, which is {_SIDEWAYS}",
+        "lateral_displacement",
+        "m",
+        "lateral displacement",
+        f"{_LAID}, horizontal across the line, positive {_LEFT}",
     ),
-    _result("axial_displacement", "m", "axial displacement", f"{_LAID}, {_ALONG}"),
-    _result("axial_force", "N m-1", "axial friction per length", f"{_FRICTION}, which is {_ALONG}"),
+    _result("lateral_force", "N m-1", "lateral friction per length", f"{_FRICTION} {_LEFT}"),
+    _result(
+        "axial_displacement",
+        "m",
+        "axial displacement",
+        f"{_LAID}, along the line, positive towards end 2",
+    ),
+    _result("axial_force", "N m-1", "axial friction per length", f"{_FRICTION} towards end 2"),
     _result("penetration", "m", "penetration", "positive into the seabed, negative above it"),
     _result(
         "normal_reaction",

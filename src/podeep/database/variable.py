@@ -12,7 +12,6 @@ Number = Literal["result", "coordinate", "integer", "text"]
 KINDS: tuple[Kind, ...] = ("static", "dynamic")
 EXTREMES = ("min", "max", "min_at", "max_at")
 
-RESISTING = "positive against a positive displacement"
 _RELATIVE = "estimated error as a share of the largest value in the step"
 
 
