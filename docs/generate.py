@@ -4,7 +4,8 @@ from pathlib import Path
 
 from figures import write_figures
 
-from podeep.database.schema import VARIABLES
+from podeep.database.schema import TABLES
+from podeep.database.variable import Variable
 from podeep.deck.keywords import KEYWORDS, describe
 
 
@@ -26,16 +27,22 @@ def keywords() -> str:
 
 
 def schema() -> str:
-    """What stands in a foundation's group of a database."""
-    rows = ["# Variables of a database", ""]
-    rows += [
-        "| group | variable | dimensions | unit | what | remark |",
-        "|---|---|---|---|---|---|",
-    ]
-    for v in VARIABLES:
+    """What stands in the groups of a database."""
+    rows = ["# Variables of a database"]
+    for name, table in TABLES.items():
+        rows += ["", f"## Group of a {name}", ""]
+        rows.append("| group | variable | dimensions | unit | what | remark |")
+        rows.append("|---|---|---|---|---|---|")
+        rows += _variables(table)
+    return "\n".join([*rows, ""])
+
+
+def _variables(table: tuple[Variable, ...]) -> list[str]:
+    rows = []
+    for v in table:
         where = f"`{v.group}/`" if v.group else ""
         only = [*(v.kinds if len(v.kinds) == 1 else ()), *(["spatial"] if v.spatial_only else [])]
         remark = "; ".join([*([f"{', '.join(only)} only"] if only else []), v.comment])
         cells = (where, f"`{v.name}`", ", ".join(v.dims), v.units, v.long_name, remark)
         rows.append(f"| {' | '.join(cells)} |")
-    return "\n".join([*rows, ""])
+    return rows

@@ -12,7 +12,8 @@ from pathlib import Path
 import numpy as np
 
 from podeep.arrays import Array
-from podeep.database.schema import Kind, Status, variables
+from podeep.database.schema import Status, variables
+from podeep.database.variable import Kind
 from podeep.database.write import Grid, Writer
 
 DEPTH = np.array([0.0, 1.0, 2.5, 5.0, 5.000001, 7.5, 10.0, 15.0, 20.0, 30.0])  # jump at 5 m

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 import builders
+import risers
 from podeep.database.write import Writer
 from podeep.errors import UserError
 from test_database_hostile import read_everything
@@ -37,6 +38,8 @@ def make(kind: str, folder: Path) -> Path:
     match kind:
         case "static":
             return builders.static_database(folder / "run.dss", spatial=True)
+        case "lines":
+            return risers.static_database(folder / "run.dss", foundations=("F1",))
         case "dynamic":
             return builders.dynamic_database(folder / "run.dst", times=times, depth=depth)
         case "compressed":

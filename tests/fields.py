@@ -1,4 +1,4 @@
-"""Foundations with given fields, held in memory: what a query needs of a database's reader."""
+"""Foundations and lines with given fields, in memory: what a query needs of a reader."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -6,16 +6,17 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from podeep.arrays import Array
+from podeep.subject import FOUNDATION, Subject
 
-Field = Callable[[Array, Array], Array]  # (steps or times, depths), broadcast against each other
+Field = Callable[[Array, Array], Array]  # (steps or times, points), broadcast against each other
 
 
 @dataclass
 class Foundation:
-    """Fields sampled on a grid; `windows` tells which depths were read."""
+    """Fields sampled on a grid; `windows` tells which points were read."""
 
     fields: Mapping[str, Field]
-    depth: Array
+    points: Array
     axis: Array
     spatial: bool = False
     lateral_axis: float | None = 0.0
@@ -23,16 +24,17 @@ class Foundation:
     name: str = "F1"
     mudline: float = -100.0
     windows: list[slice] = field(default_factory=list)
+    subject: Subject = FOUNDATION
 
     def read(
-        self, quantity: str, rows: Sequence[int] | None = None, depths: slice | None = None
+        self, quantity: str, rows: Sequence[int] | None = None, points: slice | None = None
     ) -> Array:
-        window = slice(None) if depths is None else depths
+        window = slice(None) if points is None else points
         self.windows.append(window)
         stored = np.asarray(self.axis, dtype=float)
         at = stored if rows is None else stored[rows]
-        shape = (len(at), len(self.depth[window]))
-        return np.broadcast_to(self.fields[quantity](at[:, None], self.depth[window]), shape)
+        shape = (len(at), len(self.points[window]))
+        return np.broadcast_to(self.fields[quantity](at[:, None], self.points[window]), shape)
 
     def envelope(self, quantity: str) -> tuple[Array, Array, Array, Array]:
         values = self.read(quantity)

@@ -9,7 +9,7 @@ SOURCE = Path(__file__).parents[1] / "src" / "podeep"
 
 #: Every module, lowest first: a file imports only from files above it in this list.
 ORDER = """
-__init__ arrays errors files units tubes motion lines scene
+__init__ arrays errors files units subject tubes motion lines scene
 soil.__init__ soil.group soil.polyline soil.law
 seabed.__init__ seabed.parameters seabed.bearing seabed.at_rest seabed.law seabed.powers
 seabed.verley_lund seabed.f114 seabed.dnv14 seabed.audibert seabed.models seabed.stiffness
@@ -44,8 +44,9 @@ solve.starts solve.dynamics solve.simulate solve.resume
 solve.eigen solve.families solve.about_state solve.modes solve.plan solve.adaptive solve.pace
 line.__init__ line.rod line.catenary line.boundary_layer line.bed line.equations line.statics
 line.results line.assemble line.analysis
-database.__init__ database.schema database.envelope database.layout database.target database.stream
-database.trust database.restart database.write database.foundation database.read
+database.__init__ database.variable database.foundation_variables database.line_variables
+database.schema database.envelope database.grids database.layout database.target database.stream
+database.trust database.restart database.write database.stored database.foundation database.read
 demand embedded capacity
 risks.__init__ risks.ranges risks.risk risks.curves risks.site risks.piles risks.bearing
 risks.motion risks.seabed risks.lines

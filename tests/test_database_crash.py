@@ -17,9 +17,9 @@ import pytest
 import builders
 import endless_writer
 from podeep.database.read import open_database
-from podeep.database.schema import QUANTITIES
 from podeep.database.write import Writer
 from podeep.errors import UserError
+from podeep.subject import FOUNDATION
 
 KILLS = 10
 LONGEST = 0.3  # s of writing before a kill
@@ -47,7 +47,7 @@ def check_committed(partial: Path) -> tuple[int, str]:
             data = database.foundation(name)
             counts.add(len(data.axis))
             assert np.array_equal(data.axis, endless_writer.STEP * np.arange(len(data.axis)))
-            for quantity in QUANTITIES:
+            for quantity in FOUNDATION.quantities:
                 exact = builders.field(quantity, np.sin(data.axis), data.depth, number)
                 values = exact.astype(np.float32)
                 assert np.array_equal(data.read(quantity), values)

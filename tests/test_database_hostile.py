@@ -19,12 +19,12 @@ HUGE = 2**40
 def read_everything(path: Path) -> None:
     with open_database(path) as database:
         assert database.deck_text
-        for name in database.foundations:
-            data = database.foundation(name)
+        for name in database.names:
+            data = database[name]
             for quantity, values in data.datasets.items():
                 if values.ndim and values.shape[0] == len(data.axis):
                     data.read(quantity)
-            for quantity in ("lateral_force", "axial_displacement"):
+            for quantity in data.subject.quantities:
                 data.envelope(quantity)
 
 
@@ -201,7 +201,7 @@ def test_cut_short(good):
         refused(good, "damaged or cut short")
 
 
-@pytest.mark.parametrize("kind", ["static", "dynamic", "compressed", "running"])
+@pytest.mark.parametrize("kind", ["static", "dynamic", "compressed", "running", "lines"])
 def test_random_damage_never_crashes(tmp_path, kind):
     # In a process of its own, as HDF5 itself might crash; memory is bounded there.
     driver = Path(__file__).with_name("damage_driver.py")

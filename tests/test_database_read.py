@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 import builders
 from podeep.database.read import Database, open_database
-from podeep.database.schema import QUANTITIES
 from podeep.database.write import Writer
 from podeep.errors import UserError
+from podeep.subject import FOUNDATION
 
 TIMES = np.linspace(0.0, 12.0, 1500)
 STEPS = 5
@@ -136,7 +136,7 @@ def test_unknown_names_and_rows(database):
         data.read("lateral_force", len(data.axis))
 
 
-@pytest.mark.parametrize("quantity", QUANTITIES)
+@pytest.mark.parametrize("quantity", FOUNDATION.quantities)
 def test_envelope_is_that_of_all_rows(database, quantity):
     data = database.foundation(database.foundations[0])
     values = data.read(quantity)

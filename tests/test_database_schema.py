@@ -10,7 +10,9 @@ import pytest
 import xarray
 
 import builders
-from podeep.database.schema import KINDS, QUANTITIES, VARIABLES, places, variables
+from podeep.database.schema import TABLES, places, variables
+from podeep.database.variable import KINDS
+from podeep.subject import SUBJECTS
 
 UNITS = {"m", "N m-1", "1", "N", "N m", "Pa", "rad", "s", "axis", ""}
 ENGINES = ("h5netcdf", "netcdf4")
@@ -31,18 +33,25 @@ def schema_of(path: Path) -> dict[str, tuple[str, ...]]:
     return {place: variable.dims for place, variable, _ in places(table, builders.TUBES)}
 
 
-def test_table_is_consistent():
-    names = [(v.group, v.name) for v in VARIABLES]
+@pytest.mark.parametrize("subject", SUBJECTS, ids=lambda s: s.name)
+def test_table_is_consistent(subject):
+    table = TABLES[subject.name]
+    names = [(v.group, v.name) for v in table]
     assert len(names) == len(set(names))
-    assert {v.units for v in VARIABLES} <= UNITS
-    assert all(v.long_name for v in VARIABLES)
-    assert {v.name for v in VARIABLES} >= set(QUANTITIES)
+    assert {v.units for v in table} <= UNITS
+    assert all(v.long_name for v in table)
+    assert {v.name for v in table} >= {*subject.quantities, *subject.slopes.values()}
+    shown = {v.name: v.dims for v in table if v.name in subject.quantities}
+    assert set(shown.values()) == {("axis", subject.coordinate)}
+    assert set(shown) >= set(subject.slopes)
 
 
+@pytest.mark.parametrize("subject", SUBJECTS, ids=lambda s: s.name)
 @pytest.mark.parametrize(("kind", "spatial"), [*product(KINDS, (False, True))])
-def test_a_scale_comes_before_its_users(kind, spatial):
+def test_a_scale_comes_before_its_users(kind, spatial, subject):
     known = set()
-    for _, variable, _ in places(variables(kind, spatial=spatial, loads=True), [1, 2]):
+    table = variables(kind, spatial=spatial, loads=True, subject=subject)
+    for _, variable, _ in places(table, [1, 2]):
         if variable.is_scale:
             known.add(variable.name)
         assert set(variable.dims) <= known

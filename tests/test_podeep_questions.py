@@ -104,7 +104,7 @@ def test_snapshot_is_f_and_x(sign):
 @pytest.mark.parametrize("numbers", ["0\n30\n4\n5", "0 30 4 5", "0,30\n4, 5", " 0 ,30 # m\n\n4\n5"])
 def test_numbers_stand_one_a_line_or_several(numbers):
     requests, out = session(f"g\nf\nl\n{numbers}\nq")
-    assert requests[0].depths.tolist() == [0.0, 10.0, 20.0, 30.0]
+    assert requests[0].points.tolist() == [0.0, 10.0, 20.0, 30.0]
     assert requests[0].at == (5.0,)
     assert (
         "First depth below the mudline (m): 0\nSecond depth below the mudline (m): 30\n"
@@ -114,7 +114,7 @@ def test_numbers_stand_one_a_line_or_several(numbers):
 
 def test_the_order_of_depths_does_not_matter():
     there, back = session("g\nt\nl\n0 30 4\nl\n30 0 4\n")[0]
-    assert there.depths.tolist() == back.depths.tolist()
+    assert there.points.tolist() == back.points.tolist()
 
 
 @pytest.mark.parametrize(
@@ -138,17 +138,17 @@ def test_a_refused_number_ends_the_script_with_reason_and_question(answers, reas
 
 @pytest.mark.parametrize(("letter", "sign"), [("g", "l"), ("h", "1")])
 def test_a_step_evolution_takes_at_most_ten_points(letter, sign):
-    assert len(session(f"{letter}\nt\n{sign}\n0 30 10\n")[0][0].depths) == 10
+    assert len(session(f"{letter}\nt\n{sign}\n0 30 10\n")[0][0].points) == 10
     assert "11 is outside 2 to 10" in refusal(f"{letter}\nt\n{sign}\n0 30 11\n")
 
 
 @pytest.mark.parametrize("script", ["g\nf\nl\n0 30 500 5", "h\ne\n1\n0 30 500"])
 def test_snapshot_and_envelope_have_no_cap(script):
-    assert len(session(script)[0][0].depths) == 500
+    assert len(session(script)[0][0].points) == 500
 
 
 def test_equal_depths_are_one_point():
-    assert session("g\nf\nl\n7 7 1 2\n")[0][0].depths.tolist() == [7.0]
+    assert session("g\nf\nl\n7 7 1 2\n")[0][0].points.tolist() == [7.0]
 
 
 @pytest.mark.parametrize(
@@ -233,7 +233,7 @@ def test_several_foundations_are_chosen_from_after_the_database_menu():
     other = Extent((0.0, 40.0), np.arange(6))
     source = Source("static", {"F1": EXTENT, "F2": other})
     requests, out = session("g\nf2\nf\nl\n0 40 2 1\no\no\ng\nq\ng\nF1\nf\nl\n0 3 2 1", source)
-    assert [r.foundation for r in requests] == ["F2", "F1"]
+    assert [r.name for r in requests] == ["F2", "F1"]
     assert "> g\nFoundation (F1, F2): f2\n" + STATIC_ANALYSES in out
     assert "> g\nFoundation (F1, F2): q\nStatic soil results" in out
     message = refusal("g\nF3", source)

@@ -69,8 +69,8 @@ def test_a_recorded_session_is_a_script_of_the_same_session():
     )
     again, out_again = session(text)
     assert out_again == out
-    assert [(r.analysis, r.quantity, r.depths.tolist(), r.at) for r in again] == [
-        (r.analysis, r.quantity, r.depths.tolist(), r.at) for r in requests
+    assert [(r.analysis, r.quantity, r.points.tolist(), r.at) for r in again] == [
+        (r.analysis, r.quantity, r.points.tolist(), r.at) for r in requests
     ]
 
 

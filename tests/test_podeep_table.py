@@ -98,7 +98,7 @@ def test_csv_loses_no_bit(size):
     header, *rows = csv.reader(lines)
     assert header[0] == "step"
     depths = [float(h.removeprefix("axial_force [N/m] at depth ")[:-2]) for h in header[1:]]
-    assert depths == curves.depths.tolist()
+    assert depths == curves.points.tolist()
     assert [[float(x) for x in row[1:]] for row in rows] == curves.values.tolist()
 
 

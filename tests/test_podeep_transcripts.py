@@ -12,6 +12,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 import pytest
 
+import risers
 from builders import dynamic_database, static_database
 
 TRANSCRIPTS = Path(__file__).parent / "transcripts"
@@ -31,7 +32,11 @@ SESSIONS = {
     "motion_evolution": ["conductor_waves"],
     "motion_snapshots": ["conductor_waves"],
     "motion_envelope": ["conductor_waves.dst"],
+    "riser": ["riser.dss"],
+    "riser_motion": ["riser.dst"],
+    "riser_beside_pile": ["riser_and_pile.dss", "--csv", "--no-plot"],
     "refused_depth": ["run.dss"],
+    "refused_distance": ["riser.dss"],
     "refused_sign": ["run.dss"],
     "refused_time": ["run.dst"],
     "missing_number": ["run.dss"],
@@ -45,6 +50,9 @@ def databases(folder: Path) -> None:
     static_database(folder / "several.dss", foundations=("F1", "F2"))
     static_database(folder / "single.dss", steps=1)
     static_database(folder / "spatial.dss", spatial=True)
+    risers.static_database(folder / "riser.dss")
+    risers.dynamic_database(folder / "riser.dst", times=np.linspace(0.0, 10.0, 11))
+    risers.static_database(folder / "riser_and_pile.dss", foundations=("F1",))
     shutil.copy(REAL_RUN, folder)
 
 

@@ -2,9 +2,10 @@
 
 from pathlib import Path
 from textwrap import fill
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .picture import (
+    MUDLINE,
     PALETTE,
     ZERO,
     ground,
@@ -15,6 +16,7 @@ from .picture import (
     save_picture,
 )
 from .query import Curves, Origin
+from .subject import LINE
 from .table import ANALYSES, axis_label
 from .units import QUANTITIES, coordinates, with_unit
 
@@ -35,19 +37,22 @@ def save(curves: Curves, origin: Origin, folder: Path, case: str) -> Path:
 
 def draw(curves: Curves, origin: Origin) -> "Figure":
     """The result as a matplotlib figure."""
-    over_time = curves.kind == "step_evolution" and origin.axis == "time"
-    figure = new_figure(9.0, 5.5) if over_time else new_figure(7.0, 7.0)
+    evolution, of_line = curves.kind == "step_evolution", origin.subject is LINE
+    wide = origin.axis == "time" if evolution else of_line
+    figure = new_figure(9.0, 5.5) if wide else new_figure(7.0, 7.0)
     axes = figure.add_subplot()
     plain_axes(axes)
-    if curves.kind == "step_evolution":
+    if evolution:
         _evolution(axes, curves, origin)
+    elif of_line:
+        _along(axes, curves, origin)
     else:
         _profile(axes, curves, origin)
     title = fill(_title(curves, origin), 52)
     axes.set_title(title, loc="left", fontsize=11, pad=12.0, parse_math=False)
     figure.legend(
         loc="outside right upper",
-        title="Depth" if curves.kind == "step_evolution" else None,
+        title=origin.subject.coordinate.capitalize() if evolution else None,
         frameon=False,
         fontsize=9,
         handlelength=3.2,
@@ -60,19 +65,19 @@ def _title(curves: Curves, origin: Origin) -> str:
     at = ""
     if curves.kind == "snapshot" and len(curves.rows) == 1:
         at = f" at {origin.axis} {with_unit(curves.rows[0], origin.axis)}"
-    return f"{origin.database}, {origin.foundation}: {ANALYSES[curves.kind].lower()}{at}"
+    return f"{origin.database}, {origin.name}: {ANALYSES[curves.kind].lower()}{at}"
 
 
 def _evolution(axes: "Axes", curves: Curves, origin: Origin) -> None:
-    """A curve for each depth against step or time."""
+    """A curve for each point against step or time."""
     from matplotlib.ticker import MaxNLocator
 
     quantity = QUANTITIES[curves.quantity]
-    labels = [f"{depth} m" for depth in coordinates(curves.depths)]
+    labels = [f"{point} m" for point in coordinates(curves.points)]
     for number, label in enumerate(labels):
         values = curves.values[:, number] * quantity.scale
         axes.plot(curves.rows, values, label=label, **pen(number, len(labels), len(values)))
-    axes.axhline(0.0, color=ZERO, linewidth=0.8)
+    _zero(axes, curves)
     if origin.axis == "step":
         axes.xaxis.set_major_locator(MaxNLocator(8, integer=True))
     axes.margins(x=0.02)
@@ -83,17 +88,50 @@ def _evolution(axes: "Axes", curves: Curves, origin: Origin) -> None:
 def _profile(axes: "Axes", curves: Curves, origin: Origin) -> None:
     """Curves, or the band of an envelope, over depth, which runs downward."""
     quantity = QUANTITIES[curves.quantity]
-    depths, values = curves.depths, curves.values * quantity.scale
+    depths, values = curves.points, curves.values * quantity.scale
     if curves.kind == "envelope":
         axes.fill_betweenx(depths, values[0], values[1], color=PALETTE[2], alpha=0.25, lw=0.0)
-        for row, label, number in zip(values, ("minimum", "maximum"), (0, 9), strict=True):
-            axes.plot(row, depths, label=label, **pen(number, 10, len(depths)))
-    else:
-        names = [with_unit(row, origin.axis) for row in curves.rows]
-        for number, (row, name) in enumerate(zip(values, names, strict=True)):
-            label = f"{origin.axis} {name}"
-            axes.plot(row, depths, label=label, **pen(number, len(names), len(depths)))
+    for row, style in zip(values, _styles(curves, origin), strict=True):
+        axes.plot(row, depths, **style)
     axes.axvline(0.0, color=ZERO, linewidth=0.8)
     ground(axes, float(depths[0]), float(depths[-1]), curves.layer_boundaries)
     quantity_on_top(axes, quantity.label)
     axes.set_ylabel("Depth below the mudline (m)")
+
+
+def _along(axes: "Axes", curves: Curves, origin: Origin) -> None:
+    """Curves, or the band of an envelope, along a line, which lies from left to right."""
+    quantity = QUANTITIES[curves.quantity]
+    points, values = curves.points, curves.values * quantity.scale
+    if curves.kind == "envelope":
+        axes.fill_between(points, values[0], values[1], color=PALETTE[2], alpha=0.25, lw=0.0)
+    for row, style in zip(values, _styles(curves, origin), strict=True):
+        axes.plot(points, row, **style)
+    _zero(axes, curves)
+    axes.margins(x=0.02)
+    axes.set_xlabel(f"{origin.subject.where.capitalize()} (m)")
+    axes.set_ylabel(quantity.label)
+
+
+def _zero(axes: "Axes", curves: Curves) -> None:
+    """The zero line; that of penetration, which runs downward, is the mudline."""
+    if curves.quantity == "penetration":
+        axes.axhline(0.0, color=MUDLINE, linewidth=2.0, label="mudline", zorder=1.0)
+        axes.invert_yaxis()
+    else:
+        axes.axhline(0.0, color=ZERO, linewidth=0.8)
+
+
+def _styles(curves: Curves, origin: Origin) -> list[dict[str, Any]]:
+    """Label and pen of each curve over the points."""
+    count = len(curves.points)
+    if curves.kind == "envelope":
+        return [
+            {"label": label, **pen(number, 10, count)}
+            for label, number in (("minimum", 0), ("maximum", 9))
+        ]
+    rows = curves.rows
+    return [
+        {"label": f"{origin.axis} {with_unit(row, origin.axis)}", **pen(number, len(rows), count)}
+        for number, row in enumerate(rows)
+    ]

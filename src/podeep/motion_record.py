@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .arrays import Array, Index
-from .database.schema import QUANTITIES
 from .model.assemble import Model, assemble
 from .model.inertia import Inertia, inertia
 from .model.moved import Moved, Viscosity, Way
@@ -15,6 +14,7 @@ from .scene import Scene
 from .solve.body import Body
 from .solve.plan import Begun
 from .solve.simulate import Track, Tracks
+from .subject import FOUNDATION
 
 _SHOWN = {0: True, 1: False}  # rules of the ground: what the soil resists in statics is shown too
 
@@ -65,7 +65,7 @@ class Ledger:
         """In all rows, what has an envelope."""
         grid = self.at.grid
         found = soil_values(self.results(tracks, slice(None)), grid.depth, grid.lateral_axis)
-        return {name: found[name] for name in QUANTITIES}
+        return {name: found[name] for name in FOUNDATION.quantities}
 
 
 def _way(track: Track, rows: Index | slice, origin: Array) -> Way:

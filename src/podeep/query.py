@@ -1,10 +1,10 @@
 """What the post-processor reads off a database: step evolution, snapshot and envelope.
 
-Between the depths of the stored grid displacements are cubic (Hermite, with the stored slopes)
-and forces are linear; in time everything is linear. A jump of soil or tube is two depths
-1e-6 m apart: nothing is interpolated across it, and the jump itself shows the upper value.
-In a spatial database the two lateral components are interpolated first; the result is their
-magnitude.
+Points are depths of a foundation or distances along a line. Between the points of the stored grid
+displacements with stored slopes are cubic (Hermite) and all else is linear; in time everything is
+linear. A jump of soil, tube or line is two points 1e-6 m apart: nothing is interpolated across it,
+and the jump itself shows the value of the first. In a spatial database the two lateral components
+of a foundation are interpolated first; the result is their magnitude.
 """
 
 from collections.abc import Sequence
@@ -14,32 +14,33 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from .arrays import Array, Index
-from .database import schema
+from .database import variable
+from .subject import FOUNDATION, Subject
 
 if TYPE_CHECKING:
-    from .database.read import FoundationData
+    from .database.stored import Stored
 
-DatabaseKind = schema.Kind
+DatabaseKind = variable.Kind
 Kind = Literal["step_evolution", "snapshot", "envelope"]
 
-_JUMP = 2e-6  # a pair of depths closer than this is a jump, m
-_SLOPES = {"lateral_displacement": "lateral_slope", "axial_displacement": "axial_strain"}
+_JUMP = 2e-6  # a pair of points closer than this is a jump, m
 
 
 @dataclass(frozen=True, slots=True)
 class Origin:
-    """Where a result comes from: the database and one of its foundations.
+    """Where a result comes from: the database and one of its foundations or lines.
 
-    `mudline` is an elevation from sea level, m; lateral values are counted along `direction`, as
-    `x`, or are magnitudes where it is None.
+    `mudline` is an elevation from sea level, m; lateral values of a foundation are counted along
+    `direction`, as `x`, or are magnitudes where it is None.
     """
 
     database: str
     database_kind: DatabaseKind
     title: str
-    foundation: str
+    name: str
     mudline: float
     direction: str | None
+    subject: Subject = FOUNDATION
 
     @property
     def axis(self) -> Literal["step", "time"]:
@@ -50,14 +51,14 @@ class Origin:
 class Curves:
     """A result in SI units.
 
-    `values` has shape (rows, depths): a row for each step or time of `rows`, or minimum and
-    maximum of an envelope, whose steps or times `when` holds in the same shape. `depths` are in m
-    below the mudline, increasing.
+    `values` has shape (rows, points): a row for each step or time of `rows`, or minimum and
+    maximum of an envelope, whose steps or times `when` holds in the same shape. `points` are
+    depths below the mudline or distances along the line, m, increasing.
     """
 
     kind: Kind
     quantity: str
-    depths: Array
+    points: Array
     rows: Array
     values: Array
     layer_boundaries: Array
@@ -99,19 +100,19 @@ def spread(first: float, last: float, count: int) -> Array:
     return np.linspace(min(first, last), max(first, last), count)
 
 
-def step_evolution(data: "FoundationData", quantity: str, depths: Array) -> Curves:
-    """The quantity at each depth over all steps or times.
+def step_evolution(data: "Stored", quantity: str, points: Array) -> Curves:
+    """The quantity at each point over all steps or times.
 
-    Raises ValueError for a depth outside the stored ones, as the other queries do.
+    Raises ValueError for a point outside the stored ones, as the other queries do.
     """
-    values = _magnitude(_at_depths(data, quantity, depths, None))
+    values = _magnitude(_at_points(data, quantity, points, None))
     return Curves(
-        "step_evolution", quantity, depths, np.asarray(data.axis), values, data.layer_boundaries
+        "step_evolution", quantity, points, np.asarray(data.axis), values, data.layer_boundaries
     )
 
 
-def snapshot(data: "FoundationData", quantity: str, depths: Array, at: Sequence[float]) -> Curves:
-    """The quantity over depth at the given steps or times, which lie within the stored ones.
+def snapshot(data: "Stored", quantity: str, points: Array, at: Sequence[float]) -> Curves:
+    """The quantity over the points at the given steps or times, which lie within the stored ones.
 
     Raises ValueError for a step or time outside them.
     """
@@ -119,23 +120,23 @@ def snapshot(data: "FoundationData", quantity: str, depths: Array, at: Sequence[
     before, after, fraction = _bracket(np.asarray(data.axis, dtype=float), wanted)
     rows, places = np.unique(np.stack([before, after]), return_inverse=True)
     first, last = places.reshape(2, -1)
-    stored = _at_depths(data, quantity, depths, rows.tolist())
+    stored = _at_points(data, quantity, points, rows.tolist())
     values = _magnitude(_blend(stored[:, first], stored[:, last], fraction[:, None]))
-    return Curves("snapshot", quantity, depths, wanted, values, data.layer_boundaries)
+    return Curves("snapshot", quantity, points, wanted, values, data.layer_boundaries)
 
 
-def envelope(data: "FoundationData", quantity: str, depths: Array) -> Curves:
+def envelope(data: "Stored", quantity: str, points: Array) -> Curves:
     """Minimum and maximum over all computed steps, from the stored envelope, and their times.
 
     An envelope has no stored slope, so its values are linear between the nodes. The time is
     that of the more extreme of the two nodes: a time between them need not have been computed.
     """
-    places = _places(data.depth, depths)
+    places = _places(data.points, points)
     low, high, low_at, high_at = (stored[places.nodes] for stored in data.envelope(quantity))
     values = np.stack([places.linear(low), places.linear(high)])
     when = np.stack([_governing(places, -low, low_at), _governing(places, high, high_at)])
     nothing = np.empty(0)
-    return Curves("envelope", quantity, depths, nothing, values, data.layer_boundaries, when)
+    return Curves("envelope", quantity, points, nothing, values, data.layer_boundaries, when)
 
 
 def _governing(places: _Places, size: Array, when: Array) -> Array:
@@ -143,15 +144,13 @@ def _governing(places: _Places, size: Array, when: Array) -> Array:
     return np.where(below, when[places.below], when[places.above])
 
 
-def _at_depths(
-    data: "FoundationData", quantity: str, depths: Array, rows: list[int] | None
-) -> Array:
-    """Stored rows at the depths, shape (components, rows, depths)."""
-    places = _places(data.depth, depths)
+def _at_points(data: "Stored", quantity: str, points: Array, rows: list[int] | None) -> Array:
+    """Stored rows at the points, shape (components, rows, points)."""
+    places = _places(data.points, points)
 
     def component(suffix: str) -> Array:
         values = data.read(quantity + suffix, rows, places.nodes)
-        slope = _SLOPES.get(quantity)
+        slope = data.subject.slopes.get(quantity)
         if slope is None:
             return places.linear(values)
         return places.hermite(values, data.read(slope + suffix, rows, places.nodes))

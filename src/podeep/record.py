@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .arrays import Array
-from .database.write import Grid
+from .database.write import Grid, LineGrid
 from .model.grid import output_depths, tube_depths
 from .model.results import Results
 from .scene import Scene, Section
@@ -17,9 +17,9 @@ _COMPONENTS = ("x", "y")
 
 @dataclass(frozen=True)
 class Sheet:
-    """One foundation ready to be written: its grid and all values by the schema's names."""
+    """A foundation or line ready to be written: its grid and all values by the schema's names."""
 
-    grid: Grid
+    grid: Grid | LineGrid
     steps: Array
     values: dict[str, Array]
 

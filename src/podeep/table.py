@@ -9,6 +9,7 @@ from textwrap import wrap
 
 from .arrays import Array
 from .query import Curves, Origin
+from .subject import LINE
 from .units import AXIS_UNITS, QUANTITIES, coordinates, number_format, short, with_unit
 
 _WIDTH = 80
@@ -16,6 +17,15 @@ _GAP = "  "
 
 ANALYSES = {"step_evolution": "Step evolution", "snapshot": "Snapshot", "envelope": "Envelope"}
 """Titles of the analyses in tables and pictures."""
+
+_LINE_SIGNS = {
+    "lateral_displacement": "positive to the left of the way to end 2",
+    "lateral_force": "positive against displacement to the left of the way to end 2",
+    "axial_displacement": "positive towards end 2",
+    "axial_force": "positive against displacement towards end 2",
+    "penetration": "penetration, positive into the seabed",
+    "normal_reaction": "positive as the seabed pushes the line up",
+}
 
 
 @dataclass(frozen=True)
@@ -52,7 +62,7 @@ def text_table(curves: Curves, origin: Origin) -> str:
 
 
 def axis_label(axis: str) -> str:
-    """`step`, `time (s)` or `depth (m)`."""
+    """`step`, `time (s)`, `depth (m)` or `distance (m)`."""
     return f"{axis} ({AXIS_UNITS[axis]})" if AXIS_UNITS[axis] else axis
 
 
@@ -61,19 +71,20 @@ def heading(curves: Curves, origin: Origin, *, si: bool = False) -> list[tuple[s
     quantity = QUANTITIES[curves.quantity]
     unit = quantity.si_unit if si else quantity.unit
     sign = _sign(curves.quantity, origin)
-    depths = curves.depths
-    extent = short(depths[0])
-    if len(depths) > 1:
-        extent += f" to {short(depths[-1])}"
-    points = "point" if len(depths) == 1 else "points"
+    subject, at = origin.subject, curves.points
+    along = subject.coordinate.capitalize()
+    extent = short(at[0])
+    if len(at) > 1:
+        extent += f" to {short(at[-1])}"
+    points = "point" if len(at) == 1 else "points"
     pairs = [("Database", f"{origin.database} ({origin.database_kind})")]
     if origin.title:
         pairs.append(("Title", origin.title))
     pairs += [
-        ("Foundation", f"{origin.foundation}, mudline at {short(origin.mudline)} m"),
+        (subject.name.capitalize(), f"{origin.name}, mudline at {short(origin.mudline)} m"),
         ("Analysis", ANALYSES[curves.kind]),
         ("Result", f"{quantity.title} ({unit}), {sign}"),
-        ("Depths", f"{extent} m below the mudline, {len(depths)} {points}"),
+        (f"{along}s", f"{extent} m {subject.reference}, {len(at)} {points}"),
     ]
     rows = curves.rows
     if curves.kind == "snapshot" and len(rows) == 1:
@@ -86,6 +97,8 @@ def heading(curves: Curves, origin: Origin, *, si: bool = False) -> list[tuple[s
 
 def _sign(quantity: str, origin: Origin) -> str:
     """Which way a value counts as positive."""
+    if origin.subject is LINE:
+        return _LINE_SIGNS[quantity]
     lateral, reaction = quantity.startswith("lateral"), quantity.endswith("force")
     if not lateral:
         return "positive against downward displacement" if reaction else "positive down"
@@ -101,19 +114,19 @@ def _columns(curves: Curves, origin: Origin) -> tuple[_Column, list[_Column]]:
     values = curves.values * quantity.scale
     show = number_format(values.T if curves.kind == "step_evolution" else values)
     axis = axis_label(origin.axis)
-    depth = _Column(axis_label("depth"), coordinates(curves.depths))
+    place = _Column(axis_label(origin.subject.coordinate), coordinates(curves.points))
     if curves.kind == "step_evolution":
         index = _Column(axis, _axis_values(curves.rows, origin))
-        headers = zip(depth.cells, values.T, strict=True)
-        return index, [_Column(h, _cells(v, show), depth.header) for h, v in headers]
+        headers = zip(place.cells, values.T, strict=True)
+        return index, [_Column(h, _cells(v, show), place.header) for h, v in headers]
     if curves.when is None:
         headers = zip(_axis_values(curves.rows, origin), values, strict=True)
-        return depth, [_Column(h, _cells(v, show), axis) for h, v in headers]
+        return place, [_Column(h, _cells(v, show), axis) for h, v in headers]
     columns = []
     for name, row, when in zip(("minimum", "maximum"), values, curves.when, strict=True):
         columns.append(_Column(name, _cells(row, show)))
         columns.append(_Column(f"at {axis}", _axis_values(when, origin)))
-    return depth, columns
+    return place, columns
 
 
 def _cells(values: Array, show: Callable[[float], str]) -> list[str]:
@@ -146,21 +159,22 @@ def csv_table(curves: Curves, origin: Origin) -> str:
     quantity = QUANTITIES[curves.quantity]
     value = f"{quantity.key} [{quantity.si_unit}]"
     axis = _bracketed(origin.axis)
-    depths, rows = _exact(curves.depths), _axis_exact(curves.rows, origin)
+    along = origin.subject.coordinate
+    points, rows = _exact(curves.points), _axis_exact(curves.rows, origin)
     if curves.kind == "step_evolution":
-        writer.writerow([axis, *(f"{value} at depth {depth} m" for depth in depths)])
+        writer.writerow([axis, *(f"{value} at {along} {point} m" for point in points)])
         writer.writerows(zip(rows, *map(_exact, curves.values.T), strict=True))
     elif curves.when is None:
         unit = AXIS_UNITS[origin.axis]
         at = (f"{value} at {origin.axis} {row} {unit}".rstrip() for row in rows)
-        writer.writerow(["depth [m]", *at])
-        writer.writerows(zip(depths, *map(_exact, curves.values), strict=True))
+        writer.writerow([_bracketed(along), *at])
+        writer.writerows(zip(points, *map(_exact, curves.values), strict=True))
     else:
         names = [f"minimum {value}", f"{axis} of minimum", f"maximum {value}", f"{axis} of maximum"]
         low_at, high_at = (_axis_exact(when, origin) for when in curves.when)
         low, high = map(_exact, curves.values)
-        writer.writerow(["depth [m]", *names])
-        writer.writerows(zip(depths, low, low_at, high, high_at, strict=True))
+        writer.writerow([_bracketed(along), *names])
+        writer.writerows(zip(points, low, low_at, high, high_at, strict=True))
     return out.getvalue()
 
 

@@ -39,6 +39,8 @@ QUANTITIES = {
         Quantity("lateral_force", "Lateral force", "N/m", "kN/m", 1e-3),
         Quantity("axial_displacement", "Axial displacement", "m", "m", 1.0),
         Quantity("axial_force", "Axial force", "N/m", "kN/m", 1e-3),
+        Quantity("penetration", "Normal displacement", "m", "m", 1.0),
+        Quantity("normal_reaction", "Normal force", "N/m", "kN/m", 1e-3),
     )
 }
 
@@ -82,7 +84,7 @@ DERIVED_UNITS = {
 
 _SHARES = ("relative_density", "rock_quality_designation")  # shown in percent
 
-AXIS_UNITS = {"step": "", "time": "s", "depth": "m"}
+AXIS_UNITS = {"step": "", "time": "s", "depth": "m", "distance": "m"}
 """Units of what results are given against; a step is a plain number."""
 
 
@@ -92,7 +94,7 @@ def short(value: float) -> str:
 
 
 def with_unit(value: float, axis: str) -> str:
-    """A step, time or depth in running text: `12`, `0.5 s`, `30 m`."""
+    """A step, time, depth or distance in running text: `12`, `0.5 s`, `30 m`."""
     return f"{short(value)} {AXIS_UNITS[axis]}".rstrip()
 
 
@@ -141,7 +143,7 @@ def number_format(curves: Array) -> Callable[[float], str]:
 
 
 def coordinates(values: Sequence[float] | Array) -> list[str]:
-    """Depths, times or steps with the fewest decimals that tell them to six digits.
+    """Depths, distances, times or steps with the fewest decimals that tell them to six digits.
 
     >>> coordinates([0.0, 2.5, 10.0])
     ['0.0', '2.5', '10.0']

@@ -24,9 +24,10 @@ import numpy as np
 
 from podeep.arrays import Array
 from podeep.database.read import open_database
-from podeep.database.schema import QUANTITIES, variables
+from podeep.database.schema import variables
 from podeep.database.write import Grid, Writer
 from podeep.query import envelope, snapshot, spread, step_evolution
+from podeep.subject import FOUNDATION
 
 STEPS, DEPTHS, BLOCK, FEW = 100_000, 200, 1024, 10_000
 STEP = 0.01  # s
@@ -59,7 +60,7 @@ def write(target: Path, steps: int, depths: int, *, tubes: bool) -> tuple[float,
     """Write a database; seconds as the run goes, and for the file's end."""
     on = grid(depths, tubes=tubes)
     rows = block_of_rows(on)
-    shown = {f"F1/{q}": rows[f"F1/{q}"] for q in QUANTITIES}
+    shown = {f"F1/{q}": rows[f"F1/{q}"] for q in FOUNDATION.quantities}
     state = {"state": np.zeros(16 * depths)}
     options: dict[str, Any] = {"kind": "dynamic", "title": "", "deck_text": "", "loads": ()}
     begin = time.perf_counter()
@@ -90,7 +91,7 @@ def queries(path: Path) -> None:
         data = database.foundation("F1")
         ten, all_ = spread(0.0, data.depth[-1], 10), data.depth
         mid = 0.5 * float(data.axis[-1]) + 0.3 * STEP
-        for quantity in QUANTITIES:
+        for quantity in FOUNDATION.quantities:
             evolution = timed(lambda q=quantity: step_evolution(data, q, ten))
             shot = timed(lambda q=quantity: snapshot(data, q, all_, [mid]))
             bounds = timed(lambda q=quantity: envelope(data, q, all_))

@@ -10,51 +10,15 @@ import h5py
 import numpy as np
 import numpy.typing as npt
 
-from ..arrays import Array
 from .envelope import Values
-from .schema import AXES, COMMITTED, Kind, Variable, places, variables
+from .grids import Grid, LineGrid
+from .schema import AXES, COMMITTED, places, variables
+from .variable import Kind, Variable
 
 _CHUNK = (1024, 20)  # rows and depths: serves an evolution in time and a snapshot alike
 _COPIED = 4096  # rows at a time
 _GZIP = 4
 _RESULT = {"static": np.float64, "dynamic": np.float32}
-
-
-@dataclass(frozen=True, eq=False)
-class Grid:
-    """Where the values of a foundation stand.
-
-    depth: m below the mudline, positive down, strictly increasing, shape (depths,); a jump is two
-    depths 1e-6 m apart. tube, layer: id of the outermost tube and index of the soil layer at each
-    depth. layer_boundaries: depths, m. mudline: elevation, m. lateral_axis: direction of positive
-    lateral values in degrees from x, in (-90, 90], or None in a spatial scene. tubes: elevations of
-    the results of each tube from its top to its tip, m, by id.
-    """
-
-    name: str
-    depth: Array
-    tube: npt.NDArray[np.integer]
-    layer: npt.NDArray[np.integer]
-    layer_boundaries: Array
-    mudline: float
-    lateral_axis: float | None
-    tubes: Mapping[int, Array]
-
-    def __post_init__(self) -> None:
-        if not np.all(np.diff(self.depth) > 0.0):
-            raise ValueError(f"{self.name}: depths do not increase")
-        if not len(self.depth) == len(self.tube) == len(self.layer) > 0:
-            raise ValueError(f"{self.name}: depths, tubes and layers differ in number")
-        if not all(e.size and np.all(np.diff(e) < 0.0) for e in self.tubes.values()):
-            raise ValueError(f"{self.name}: elevations of a tube do not fall")
-        if self.lateral_axis is not None and not -90.0 < self.lateral_axis <= 90.0:
-            raise ValueError(f"{self.name}: lateral axis {self.lateral_axis} is not in (-90, 90]")
-
-    @property
-    def fixed(self) -> dict[str, Values]:
-        """What does not change from row to row, by its path in the group."""
-        elevations = {f"tubes/{igr}/elevation": e for igr, e in self.tubes.items()}
-        return {"depth": self.depth, "tube": self.tube, "layer": self.layer} | elevations
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,14 +32,14 @@ class Place:
 
 @dataclass(frozen=True, eq=False)
 class Layout:
-    """What a database of these foundations consists of.
+    """What a database of these foundations and lines consists of.
 
     loads: names of the loads of `load_factor`, none in a dynamic database. dtype: of results, None
     for float64 in a static and float32 in a dynamic database. compress: gzip what is large.
     """
 
     kind: Kind
-    grids: Sequence[Grid]
+    grids: Sequence[Grid | LineGrid]
     loads: Sequence[str]
     dtype: npt.DTypeLike | None
     compress: bool
@@ -87,18 +51,20 @@ class Layout:
 
     @cached_property
     def places(self) -> dict[str, dict[str, Place]]:
-        """All variables of each foundation by their path in the file, scales before their users."""
+        """All variables of each group by their path in the file, scales before their users."""
         return {grid.name: self._places(grid) for grid in self.grids}
 
-    def _places(self, grid: Grid) -> dict[str, Place]:
+    def _places(self, grid: Grid | LineGrid) -> dict[str, Place]:
         dtypes: dict[str, npt.DTypeLike] = {
             "result": np.dtype(_RESULT[self.kind] if self.dtype is None else self.dtype),
             "coordinate": np.dtype(np.float64),
             "integer": np.dtype(np.int32),
             "text": h5py.string_dtype(),
         }
-        sizes = {"depth": len(grid.depth), "load": len(self.loads)}
-        table = variables(self.kind, spatial=grid.lateral_axis is None, loads=bool(self.loads))
+        sizes = {grid.subject.coordinate: grid.count, "load": len(self.loads)}
+        table = variables(
+            self.kind, spatial=grid.spatial, loads=bool(self.loads), subject=grid.subject
+        )
         found = {}
         for path, variable, igr in places(table, grid.tubes):
             if igr is not None:
@@ -106,6 +72,11 @@ class Layout:
             tail = tuple(sizes[d] for d in variable.dims if d != self.axis)
             found[f"{grid.name}/{path}"] = Place(variable, dtypes[variable.number], tail)
         return found
+
+    @property
+    def shown(self) -> list[tuple[str, str]]:
+        """What has an envelope: name of the group, and of the quantity."""
+        return [(grid.name, q) for grid in self.grids for q in grid.subject.quantities]
 
     @cached_property
     def rows(self) -> dict[str, Place]:
@@ -123,10 +94,7 @@ class Layout:
             _create(file, COMMITTED, (), np.dtype(np.int64), ahead=True, compress=False)
         for grid in self.grids:
             group = file.create_group(grid.name, track_order=True)
-            group.attrs["mudline"] = float(grid.mudline)
-            group.attrs["layer_boundaries"] = np.asarray(grid.layer_boundaries, dtype=np.float64)
-            if grid.lateral_axis is not None:
-                group.attrs["lateral_axis"] = float(grid.lateral_axis)
+            group.attrs.update(grid.attributes)
             fixed = {f"{grid.name}/{name}": data for name, data in grid.fixed.items()}
             fixed[f"{grid.name}/load"] = np.array(self.loads, dtype=object)
             self._fill(file, grid.name, room, ahead, fixed | dict(envelope))

@@ -11,45 +11,45 @@ from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Self, TypeVar
+from typing import Any, NoReturn, Self, TypeVar
 
 import h5py
 import numpy as np
 
 from ..arrays import Array
 from ..errors import Fault, UserError
+from ..subject import FOUNDATION, LINE, SUBJECTS, Subject
 from . import restart
-from .foundation import FoundationData
+from .foundation import FoundationData, LineData
 from .schema import (
     AXES,
     COMMITTED,
     DECK,
     ENDINGS,
-    KINDS,
     MAJOR,
     MINOR,
     PARTIAL,
     SCHEMA,
     STATUSES,
-    Kind,
     Status,
     places,
     variables,
 )
 from .trust import dataset, member, numbers, opened, reading, text, wrong
+from .variable import KINDS, Kind, Variable
 
-__all__ = ["Database", "FoundationData", "open_database"]
+__all__ = ["Database", "FoundationData", "LineData", "open_database"]
 
 T = TypeVar("T", bound=str)
 
-_FOUNDATION = re.compile(r"F\d+")
+_NAME = {subject.name: re.compile(rf"{subject.initial}\d+") for subject in SUBJECTS}
 
 
 @dataclass(frozen=True, eq=False)
 class Database:
     """An open database; a context manager that closes it.
 
-    foundations: their names in the order of the file.
+    names: of its foundations and lines, in the order of the file.
     """
 
     path: Path
@@ -60,18 +60,37 @@ class Database:
     version: str
     schema_version: str
     _file: Any
-    _data: Mapping[str, FoundationData]
+    _data: Mapping[str, FoundationData | LineData]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(self._data)
 
     @property
     def foundations(self) -> tuple[str, ...]:
-        return tuple(self._data)
+        return tuple(n for n, data in self._data.items() if isinstance(data, FoundationData))
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        return tuple(n for n, data in self._data.items() if isinstance(data, LineData))
+
+    def __getitem__(self, name: str) -> FoundationData | LineData:
+        """The data of one of `names`."""
+        return self._data[name]
 
     def foundation(self, name: str) -> FoundationData:
         """The data of a foundation; raises UserError for a name that the database does not have."""
-        if name not in self._data:
-            has = ", ".join(self._data)
-            raise UserError(Fault(f"{self.path}: there is no foundation {name}", f"it has {has}"))
-        return self._data[name]
+        data = self._data.get(name)
+        return data if isinstance(data, FoundationData) else self._refuse(FOUNDATION, name)
+
+    def line(self, name: str) -> LineData:
+        """The data of a line; raises UserError for a name that the database does not have."""
+        data = self._data.get(name)
+        return data if isinstance(data, LineData) else self._refuse(LINE, name)
+
+    def _refuse(self, subject: Subject, name: str) -> NoReturn:
+        has = ", ".join(self._data)
+        raise UserError(Fault(f"{self.path}: there is no {subject.name} {name}", f"it has {has}"))
 
     @cached_property
     def deck_text(self) -> str:
@@ -136,9 +155,9 @@ def _database(path: Path, file: Any) -> Database:
             path, f"a {kind} database that ends in {ending}", f"rename it to end in {right}"
         )
     committed = _committed(path, file) if status == "running" else None
-    names = [name for name in file if _FOUNDATION.fullmatch(name)]
-    if not names:
-        raise wrong(path, "it holds no foundation")
+    named = {name: s for name in file for s in SUBJECTS if _NAME[s.name].fullmatch(name)}
+    if not named:
+        raise wrong(path, "it holds no foundation and no line")
     return Database(
         path=path,
         kind=kind,
@@ -148,7 +167,7 @@ def _database(path: Path, file: Any) -> Database:
         version=text(path, file, "version"),
         schema_version=text(path, file, "schema_version"),
         _file=file,
-        _data={name: _foundation(path, file, name, kind, committed) for name in names},
+        _data={name: _group(path, file, name, s, kind, committed) for name, s in named.items()},
     )
 
 
@@ -179,14 +198,15 @@ def _committed(path: Path, file: Any) -> int:
     return int(counter[()])
 
 
-def _foundation(
-    path: Path, file: Any, name: str, kind: Kind, committed: int | None
-) -> FoundationData:
+def _group(
+    path: Path, file: Any, name: str, subject: Subject, kind: Kind, committed: int | None
+) -> FoundationData | LineData:
     group = member(path, file, name)
     if not isinstance(group, h5py.Group):
         raise wrong(path, f"{name} is no group")
-    spatial, loads = "lateral_axis" not in group.attrs, "load" in group
-    table = variables(kind, spatial=spatial, loads=loads)
+    of_line, loads = subject is LINE, "load" in group
+    spatial = not of_line and "lateral_axis" not in group.attrs
+    table = variables(kind, spatial=spatial, loads=loads, subject=subject)
     axis = AXES[kind]
     sizes = {v.name: _length(path, group, v.name) for v in table if v.is_scale and not v.group}
     rows = sizes[axis] if committed is None else committed
@@ -194,33 +214,50 @@ def _foundation(
         raise wrong(path, f"{name} has room for {sizes[axis]} rows, not for {rows}")
     if committed is None and not rows:
         raise wrong(path, f"{name} holds no {axis}")
-    tubes = _tubes(path, group)
-    datasets = {}
-    for place, variable, igr in places(table, tubes):
-        if igr is not None:
-            sizes["elevation"] = _length(path, group, f"tubes/{igr}/elevation")
-        if variable.later and place not in group:
-            continue
-        shape = tuple(sizes[d] for d in variable.dims)
-        datasets[place] = dataset(path, group, place, variable, shape)
+    tubes = () if of_line else _tubes(path, group)
+    datasets = _datasets(path, group, table, tubes, sizes)
+    stored: dict[str, Any] = {
+        "name": name,
+        "points": _coordinate(path, datasets[subject.coordinate], rising=True),
+        "axis": _coordinate(path, datasets[axis], rows, rising=True),
+        "mudline": _number(path, group, "mudline"),
+        "layer_boundaries": np.empty(0) if of_line else _boundaries(path, group),
+        "load_names": tuple(map(str, datasets["load"].asstr()[...])) if loads else (),
+        "path": path,
+        "finished": committed is None,
+        "datasets": datasets,
+    }
+    if of_line:
+        return LineData(**stored)
     return FoundationData(
-        name=name,
-        depth=_coordinate(path, datasets["depth"], rising=True),
-        axis=_coordinate(path, datasets[axis], rows, rising=True),
-        mudline=_number(path, group, "mudline"),
+        **stored,
         lateral_axis=None if spatial else _number(path, group, "lateral_axis"),
-        layer_boundaries=np.atleast_1d(numbers(path, group, "layer_boundaries")),
         layer=np.asarray(datasets["layer"][...], dtype=np.intp),
         tube=np.asarray(datasets["tube"][...], dtype=np.intp),
-        load_names=tuple(map(str, datasets["load"].asstr()[...])) if loads else (),
         elevations={
             igr: _coordinate(path, datasets[f"tubes/{igr}/elevation"], rising=False)
             for igr in tubes
         },
-        path=path,
-        finished=committed is None,
-        datasets=datasets,
     )
+
+
+def _datasets(
+    path: Path,
+    group: Any,
+    table: tuple[Variable, ...],
+    tubes: tuple[int, ...],
+    sizes: dict[str, int],
+) -> dict[str, Any]:
+    """The variables of a group by their paths in it, checked; sizes: of its dimensions."""
+    found = {}
+    for place, variable, igr in places(table, tubes):
+        if igr is not None:
+            sizes = sizes | {"elevation": _length(path, group, f"tubes/{igr}/elevation")}
+        if variable.later and place not in group:
+            continue
+        shape = tuple(sizes[d] for d in variable.dims)
+        found[place] = dataset(path, group, place, variable, shape)
+    return found
 
 
 def _tubes(path: Path, group: Any) -> tuple[int, ...]:
@@ -246,6 +283,10 @@ def _coordinate(path: Path, data: Any, count: int | None = None, *, rising: bool
         what = "rising" if rising else "falling"
         raise wrong(path, f"{data.name.strip('/')} does not hold finite, {what} values")
     return values
+
+
+def _boundaries(path: Path, group: Any) -> Array:
+    return np.atleast_1d(numbers(path, group, "layer_boundaries"))
 
 
 def _number(path: Path, group: Any, name: str) -> float:

@@ -13,7 +13,7 @@ import h5py
 import numpy as np
 
 from ..errors import Fault, UserError
-from .schema import Number, Variable
+from .variable import Number, Variable
 
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
 _FILTERS = {h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE, h5py.h5z.FILTER_FLETCHER32}

@@ -26,24 +26,23 @@ from ..arrays import Array
 from ..errors import Fault, UserError
 from . import restart
 from .envelope import Values, widen
-from .layout import Grid, Layout, copy_rows, write_rows
+from .grids import Grid, LineGrid
+from .layout import Layout, copy_rows, write_rows
 from .schema import (
     COMMITTED,
     CONVENTIONS,
     DECK,
-    EXTREMES,
     MAJOR,
     MINOR,
     PARTIAL,
-    QUANTITIES,
     SCHEMA,
-    Kind,
     Status,
 )
 from .stream import Sink, uninterrupted
 from .target import check_leftover, check_target, clear, told
+from .variable import EXTREMES, Kind
 
-__all__ = ["Grid", "Writer", "check_target"]
+__all__ = ["Grid", "LineGrid", "Writer", "check_target"]
 
 _ROWS, _BOUNDS = "rows", "bounds/"  # names in a state that are the writer's own
 _STATE_GROWTH = 2  # of the room of a state, some parts of which may grow
@@ -69,7 +68,7 @@ class Writer:
         kind: Kind,
         title: str,
         deck_text: str,
-        grids: Sequence[Grid],
+        grids: Sequence[Grid | LineGrid],
         loads: Sequence[str],
         history: str = "",
         force: bool = False,
@@ -131,7 +130,7 @@ class Writer:
         """A state of the run, and what this writer adds to it."""
         if state is None:
             return None
-        paths = [f"{g}/envelope/{q}_{e}" for g in self._axes for q in QUANTITIES for e in EXTREMES]
+        paths = [f"{g}/envelope/{q}_{e}" for g, q in self._layout.shown for e in EXTREMES]
         bounds = {f"{_BOUNDS}{path}": self._envelope.get(path, np.empty(0)) for path in paths}
         return {**state, _ROWS: np.array(self._committed + self._waiting), **bounds}
 
@@ -215,7 +214,7 @@ class Writer:
         """Widen the envelopes by rows that are computed and not stored.
 
         axis: their steps or times. Keys are paths as `F1/lateral_displacement`, of all quantities
-        that have an envelope, of all foundations.
+        that have an envelope, of all foundations and lines.
         """
         for path, rows in values.items():
             name, quantity = path.rsplit("/", 1)
@@ -260,10 +259,9 @@ class Writer:
         rows = (
             {p: np.concatenate([first[p], *(m[p] for m in more)]) for p in first} if more else first
         )
-        for name, axis in self._axes.items():
-            for quantity in QUANTITIES:
-                path = f"{name}/envelope/{quantity}"
-                widen(self._envelope, path, rows[f"{name}/{quantity}"], rows[axis])
+        for name, quantity in self._layout.shown:
+            path = f"{name}/envelope/{quantity}"
+            widen(self._envelope, path, rows[f"{name}/{quantity}"], rows[self._axes[name]])
         return rows
 
     def finish(self, status: Literal["complete", "stopped"], stop_reason: str = "") -> None:

@@ -10,19 +10,31 @@ from dataclasses import dataclass
 
 from ..arrays import Array
 from ..query import DatabaseKind, Kind
+from ..subject import SUBJECTS, Subject
 from ..units import QUANTITIES
 from .console import Console
-from .points import Extent, ask_all, ask_depths, ask_step, ask_times
+from .points import Extent, ask_all, ask_points, ask_step, ask_times
 from .question import Choice, Leave, Question, Refused, Up, Way, menu
 
 _MOST = 10  # curves of a step evolution
 _EXIT: Choice[Way] = Choice("Exit", "q", Leave)
 _OTHER_ANALYSIS: Choice[Way] = Choice("Other analysis", "o", Up)
 
+# Signs of results in static and dynamic menus; a sign means the same for foundations and lines.
+_SIGNS = {
+    "lateral_displacement": ("l", "1"),
+    "lateral_force": ("f", "2"),
+    "axial_displacement": ("a", "3"),
+    "axial_force": ("r", "4"),
+    "penetration": ("p", "6"),
+    "normal_reaction": ("n", "7"),
+}
+_OTHER = ("o", "5")
+
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """An open database, as the flow sees it: its kind and the extent of each foundation."""
+    """An open database, as the flow sees it: its kind, the extent of each foundation and line."""
 
     kind: DatabaseKind
     extents: Mapping[str, Extent]
@@ -33,16 +45,16 @@ class Request:
     """The result that a dialogue led to; `at` holds the steps or times of a snapshot."""
 
     source: DatabaseKind
-    foundation: str
+    name: str
     analysis: Kind
     quantity: str
-    depths: Array
+    points: Array
     at: tuple[float, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class _Analysis:
-    """A line of an analysis menu: most points over depth, and what asks for steps or times."""
+    """A line of an analysis menu: most points, and what asks for steps or times."""
 
     kind: Kind
     most: int | None
@@ -51,12 +63,15 @@ class _Analysis:
 
 @dataclass(frozen=True, slots=True)
 class _Flow:
-    """Menus and wordings of one kind of database; fewer than `least` rows have no evolution."""
+    """Menus and wordings of one kind of database; fewer than `least` rows have no evolution.
+
+    types: the menu of results by the name of the subject.
+    """
 
     label: str
     sign: str
     analyses: Question[_Analysis]
-    types: Question[str]
+    types: Mapping[str, Question[str]]
     counting: str
     least: int
     too_few: str
@@ -78,15 +93,16 @@ def converse(
             except Up:
                 raise KeyboardInterrupt from None
             with suppress(Up):
-                foundation = _foundation(console, tuple(source.extents))
-                _analyses(console, source, foundation, answer)
+                name = _choose(console, source.extents)
+                _analyses(console, source, name, answer)
 
 
 def _analyses(
-    console: Console, source: Source, foundation: str, answer: Callable[[Request], None]
+    console: Console, source: Source, name: str, answer: Callable[[Request], None]
 ) -> None:
     flow = _FLOWS[source.kind]
-    extent = source.extents[foundation]
+    extent = source.extents[name]
+    types = flow.types[extent.subject.name]
     while True:
         analysis = console.ask(flow.analyses)
         if analysis.kind == "step_evolution" and len(extent.rows) < flow.least:
@@ -94,16 +110,20 @@ def _analyses(
             continue
         with suppress(Up):
             while True:
-                quantity = console.ask(flow.types)
+                quantity = console.ask(types)
                 with suppress(Up):
-                    depths = ask_depths(console, extent, analysis.most, flow.counting)
+                    points = ask_points(console, extent, analysis.most, flow.counting)
                     at = analysis.when(console, extent)
-                    answer(Request(source.kind, foundation, analysis.kind, quantity, depths, at))
+                    answer(Request(source.kind, name, analysis.kind, quantity, points, at))
 
 
-def _foundation(console: Console, names: tuple[str, ...]) -> str:
+def _choose(console: Console, extents: Mapping[str, Extent]) -> str:
+    """One of the foundations and lines; not asked where there is only one."""
+    names = tuple(extents)
     if len(names) == 1:
         return names[0]
+    there = {extent.subject.name for extent in extents.values()}
+    what = " or ".join(s.name for s in SUBJECTS if s.name in there).capitalize()
     by_sign = {name.lower(): name for name in names}
     offered = ", ".join(names)
 
@@ -114,7 +134,7 @@ def _foundation(console: Console, names: tuple[str, ...]) -> str:
 
     return console.ask(
         Question(
-            f"Foundation ({offered})",
+            f"{what} ({offered})",
             parse,
             hint=f"One of {offered}",
             completions=dict.fromkeys(names, ""),
@@ -123,15 +143,14 @@ def _foundation(console: Console, names: tuple[str, ...]) -> str:
     )
 
 
-def _types(other: str, signs: str) -> Question[str]:
-    """The menu of results; `signs` are its own, and it takes the other flow's too."""
+def _types(kind: DatabaseKind, subject: Subject) -> Question[str]:
+    """The menu of results; it takes the signs of the other kind of database too."""
+    own = 0 if kind == "static" else 1
     choices = [
-        Choice(quantity.title, own, quantity.key, (letter, digit))
-        for quantity, letter, digit, own in zip(
-            QUANTITIES.values(), "lfar", "1234", signs, strict=True
-        )
+        Choice(QUANTITIES[key].title, _SIGNS[key][own], key, _SIGNS[key])
+        for key in subject.quantities
     ]
-    ways: list[Choice[Way]] = [Choice("Other", other, Up, ("o", "5")), _EXIT]
+    ways: list[Choice[Way]] = [Choice("Other", _OTHER[own], Up, _OTHER), _EXIT]
     return menu(choices, ways, head="Type of results:")
 
 
@@ -149,7 +168,7 @@ _FLOWS = {
             [_OTHER_ANALYSIS, _EXIT],
             in_line="Step evolution <t>, Snapshot <f>, Other analysis <o>, exit<q>",
         ),
-        types=_types("o", "lfar"),
+        types={s.name: _types("static", s) for s in SUBJECTS},
         counting="Number of calculation points",
         least=3,
         too_few="No step evolution: only one static step is defined",
@@ -162,7 +181,7 @@ _FLOWS = {
             [_OTHER_ANALYSIS, _EXIT],
             in_line="Step evolution <t>, Snapshot <f>, Envelop <e>, Other analysis <o>, exit<q>",
         ),
-        types=_types("5", "1234"),
+        types={s.name: _types("dynamic", s) for s in SUBJECTS},
         counting="Number of divisions",
         least=2,
         too_few="No step evolution: only one time is stored",

@@ -1,10 +1,11 @@
-"""Which depths, steps and times: the questions for numbers, and the rules they keep."""
+"""Which points, steps and times: the questions for numbers, and the rules they keep."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from ..arrays import Array
 from ..query import spread
+from ..subject import FOUNDATION, Subject
 from ..units import short
 from .console import Console
 from .question import Question, Refused, Up, Way, numbers, real, whole
@@ -16,37 +17,39 @@ _UP: Mapping[str, Way] = {"q": Up}
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Extent:
-    """What of a foundation is stored: range of depths, m, and steps or times, increasing."""
+    """What is stored of a foundation or line: range of its points, m; steps or times, rising."""
 
-    depths: tuple[float, float]
+    limits: tuple[float, float]
     rows: Array
+    subject: Subject = FOUNDATION
 
 
-def ask_depths(console: Console, extent: Extent, most: int | None, counting: str) -> Array:
-    """Two depths in either order and the number of points from one to the other."""
-    top, bottom = extent.depths
-    limits = f"{short(top)} to {short(bottom)} m"
-    inside = real(top, bottom, "m")
+def ask_points(console: Console, extent: Extent, most: int | None, counting: str) -> Array:
+    """Two depths or distances in either order and the number of points from one to the other."""
+    subject, (least, largest) = extent.subject, extent.limits
+    limits = f"{short(least)} to {short(largest)} m"
+    inside = real(least, largest, "m")
+    ends = f"{subject.coordinate}s"
     first = console.ask(
         Question(
-            "First depth below the mudline (m)",
+            f"First {subject.where} (m)",
             inside,
-            above=f"Depths from {limits}",
-            hint=f"{limits}, positive down",
+            above=f"{ends.capitalize()} from {limits}",
+            hint=f"{limits}, {subject.positive}",
             exits=_UP,
             one_number=True,
         )
     )
     second = console.ask(
         Question(
-            "Second depth below the mudline (m)",
+            f"Second {subject.where} (m)",
             inside,
-            hint=f"{limits}, positive down, above or below the first",
+            hint=f"{limits}, {subject.positive}, {subject.order}",
             exits=_UP,
             one_number=True,
         )
     )
-    return spread(first, second, _ask_count(console, counting, most, first == second, "depths"))
+    return spread(first, second, _ask_count(console, counting, most, first == second, ends))
 
 
 def ask_all(console: Console, extent: Extent) -> tuple[float, ...]:
@@ -55,14 +58,14 @@ def ask_all(console: Console, extent: Extent) -> tuple[float, ...]:
 
 
 def ask_step(console: Console, extent: Extent) -> tuple[float, ...]:
-    """The number of a static step; 0 is the state before loading."""
+    """The number of a static step."""
     last = int(extent.rows[-1])
     step = console.ask(
         Question(
             "Number of the quasi-static step",
             whole(0, last),
             above=f"Steps from 0 to {last}",
-            hint=f"0 to {last}; 0 is the state before loading",
+            hint=f"0 to {last}; 0 is {extent.subject.start}",
             exits=_UP,
             one_number=True,
         )

@@ -16,7 +16,7 @@ from .flow import Request, Source
 from .points import Extent
 
 if TYPE_CHECKING:
-    from ..database.read import Database, FoundationData
+    from ..database.read import Database, FoundationData, LineData
 
 _AXES = {  # degrees from x
     0.0: "x",
@@ -38,7 +38,7 @@ class Results:
 
     def __call__(self, request: Request) -> None:
         database = self.databases[request.source]
-        data = database.foundation(request.foundation)
+        data = database[request.name]
         curves, origin = _curves(data, request), _origin(database, data)
         table = csv_table(curves, origin) if self.csv else f"\n{text_table(curves, origin)}\n"
         self.console.show(table)
@@ -53,13 +53,13 @@ def sources(databases: Mapping[DatabaseKind, "Database"]) -> tuple[Source, ...]:
     Raises `UserError` for one that holds no step or time yet.
     """
     return tuple(
-        Source(kind, {name: _extent(database, name) for name in database.foundations})
+        Source(kind, {name: _extent(database, name) for name in database.names})
         for kind, database in databases.items()
     )
 
 
 def _extent(database: "Database", name: str) -> Extent:
-    data = database.foundation(name)
+    data = database[name]
     if not len(data.axis):
         raise UserError(
             Fault(
@@ -67,23 +67,29 @@ def _extent(database: "Database", name: str) -> Extent:
                 "open it when the run has written some, or run the analysis again",
             )
         )
-    return Extent((float(data.depth[0]), float(data.depth[-1])), data.axis)
+    return Extent((float(data.points[0]), float(data.points[-1])), data.axis, data.subject)
 
 
-def _curves(data: "FoundationData", request: Request) -> Curves:
+def _curves(data: "FoundationData | LineData", request: Request) -> Curves:
     match request.analysis:
         case "step_evolution":
-            return step_evolution(data, request.quantity, request.depths)
+            return step_evolution(data, request.quantity, request.points)
         case "snapshot":
-            return snapshot(data, request.quantity, request.depths, request.at)
+            return snapshot(data, request.quantity, request.points, request.at)
         case "envelope":
-            return envelope(data, request.quantity, request.depths)
+            return envelope(data, request.quantity, request.points)
 
 
-def _origin(database: "Database", data: "FoundationData") -> Origin:
+def _origin(database: "Database", data: "FoundationData | LineData") -> Origin:
     direction = None
     if (axis := data.lateral_axis) is not None:
         direction = _AXES.get(axis, f"{short(axis)} degrees from x")
     return Origin(
-        database.path.name, database.kind, plain(database.title), data.name, data.mudline, direction
+        database=database.path.name,
+        database_kind=database.kind,
+        title=plain(database.title),
+        name=data.name,
+        mudline=data.mudline,
+        direction=direction,
+        subject=data.subject,
     )
