@@ -55,7 +55,7 @@ capacity_report query table picture figure
 soil_figure modes_report modes_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result
-motion_record resume motion_log run_motion run
+motion_record resume motion_log run_motion line_record line_report run
 study.__init__ study.settings study.chart study.measure study.chart_report study.chart_figure
 study.oscillator study.trials study.limits study.stability study.stability_report
 study.stability_figure

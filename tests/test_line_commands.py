@@ -113,21 +113,23 @@ def test_everything_of_lines_is_told(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert not any("soil" in line for line in section(report, "motion"))
 
 
-@pytest.mark.parametrize("text", [LINE, PILE])
-def test_lines_are_not_solved(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str
+@pytest.mark.parametrize(
+    ("more", "old", "new", "words"),
+    [
+        ("*DYNAMIC\n0 60", "", "", "motion of lines in time is not followed by this version"),
+        ("", "11 2 991 5 0", "11 2 500 5 0", "it would lie there in bends"),
+    ],
+)
+def test_lines_that_cannot_be_solved_are_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], more: str, old: str, new: str, words: str
 ) -> None:
-    """Beside a foundation, too; nothing is written."""
-    body = LINE[LINE.index("*LINE") : LINE.index("*EXEC")].replace("-1000", "-60")
-    deck = text if text is LINE else text.replace("*EXEC", f"{body}*EXEC")
+    """Nothing is written."""
+    deck = LINE.replace(old, new).replace("*EXEC", f"{more}\n*EXEC")
     assert main(["run", write(tmp_path, deck), "-o", str(tmp_path / "out")]) == 2
     shown = capsys.readouterr()
     assert shown.out == ""
-    assert shown.err == (
-        "podeep-solve: lines are read and checked; this version does not solve them yet; take "
-        "*LINE out, or see what podeep-solve check makes of it\n"
-    )
-    assert not (tmp_path / "out").exists()
+    assert words in shown.err
+    assert not list(tmp_path.glob("out/*"))
 
 
 def test_a_deck_of_lines_that_stops_is_checked(

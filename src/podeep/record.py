@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .arrays import Array
+from .arrays import Array, Index
 from .database.write import Grid, LineGrid
 from .model.grid import output_depths, tube_depths
 from .model.results import Results
@@ -20,7 +20,7 @@ class Sheet:
     """A foundation or line ready to be written: its grid and all values by the schema's names."""
 
     grid: Grid | LineGrid
-    steps: Array
+    steps: Array | Index
     values: dict[str, Array]
 
 

@@ -14,6 +14,9 @@ from .database.write import Writer
 from .deck.read import Deck, read_deck
 from .errors import AnalysisFailed, Fault, Interrupted, UserError
 from .files import make_folder
+from .line.analysis import SolvedLine, solve_line
+from .line_record import line_sheet
+from .line_report import line_report, line_summary
 from .record import Sheet, sheet
 from .report import run_report, step_table, summary
 from .resume import Options, is_of, state_in
@@ -37,7 +40,8 @@ class Run:
 
     failure: why the last steps are missing; empty if none are. risks: what was told of the deck
     before it was solved. supports: the load on supports along z against the soil's capacity.
-    motion: what came of the dynamic part, if there is one. note: why nothing had to be done.
+    motion: what came of the dynamic part, if there is one. note: why nothing had to be done. lines:
+    on the seabed.
     """
 
     deck: Path
@@ -49,6 +53,7 @@ class Run:
     supports: tuple[str, ...] = ()
     motion: MotionRun | None = None
     note: str = ""
+    lines: tuple[SolvedLine, ...] = ()
 
     def warnings(self) -> tuple[str, ...]:
         """What the user must know of results that are there."""
@@ -65,7 +70,13 @@ class Run:
             if s.unestimated
         )
         moved = () if self.motion is None else self.motion.warnings
-        return rough + unknown + moved
+        coarse = tuple(
+            f"L{s.line.id}: the accuracy asked, {s.accuracy:g}, was not reached: the largest "
+            f"estimated error is {s.errors.max():.1e} with {s.model.elements} elements"
+            for s in self.lines
+            if not s.accurate
+        )
+        return rough + unknown + coarse + moved
 
     def text(self, verbose: bool = False) -> str:
         """The report in words."""
@@ -76,6 +87,7 @@ class Run:
             parts.append(run_report(summary(one)))
             if verbose:
                 parts.append(step_table(one))
+        parts += [line_report(line_summary(one)) for one in self.lines]
         parts += ["\n".join(wrap(line, 80, subsequent_indent="    ")) for line in self.supports]
         ending = f"written: {self.database}" if self.database else "checked, *STOP: nothing solved"
         return "\n".join([*parts, ending, *([self.motion.text] if self.motion else [])])
@@ -86,6 +98,7 @@ class Run:
             "deck": str(self.deck),
             "title": self.title,
             "foundations": [summary(one) for one in self.solved],
+            "lines": [line_summary(one) for one in self.lines],
             "database": str(self.database) if self.database else None,
             "motion": self.motion.as_json() if self.motion else None,
             "supports": list(self.supports),
@@ -116,7 +129,8 @@ def run_deck(
     """
     deck = read_deck(path)
     scene, state = deck.scene, None
-    check_solved(deck)
+    if deck.solve:
+        check_lines(scene)
     target, moved = (directory / path.with_suffix(ending).name for ending in (".dss", ".dst"))
     if resume:
         check_resumes(deck)
@@ -141,13 +155,19 @@ def run_deck(
     if not deck.solve:
         return Run(path, scene.title, (), None, "", risks)
     solved = on_one_path(scene, tuple(until_interrupted(scene)))
+    lines = tuple(solve_line(scene, line) for line in scene.lines.values())
     names = scene.steps.names
     for one in solved:
         if one.failure and not one.states:
             raise AnalysisFailed(explain(one, one.failure, names))
-    failure = "\n".join(explain(s, s.failure, names) for s in solved if s.failure)
-    sheets = [sheet(scene, s) for s in solved]
-    interrupted = solved[-1].interrupted
+    for line in lines:
+        if not line.states:
+            raise AnalysisFailed(f"L{line.line.id}: {line.failure}")
+    failures = [explain(s, s.failure, names) for s in solved if s.failure]
+    failures += [f"L{line.line.id}: {line.failure}" for line in lines if line.failure]
+    failure = "\n".join(failures)
+    sheets = [sheet(scene, s) for s in solved] + [line_sheet(scene, line) for line in lines]
+    interrupted = bool(solved) and solved[-1].interrupted
     if not there or interrupted:
         write(
             *(target, deck, scene, sheets, failure),
@@ -172,15 +192,19 @@ def run_deck(
             again=join([*again, "--force"] if force else again),
         )
         failure = motion.failure
-    return Run(path, scene.title, solved, target, failure, risks, supports, motion)
+    return Run(path, scene.title, solved, target, failure, risks, supports, motion, lines=lines)
 
 
-def check_solved(deck: Deck) -> None:
-    """Raises UserError for a deck with lines, which are not solved yet."""
-    if deck.solve and deck.scene.lines:
-        message = "lines are read and checked; this version does not solve them yet"
-        remedy = "take *LINE out, or see what podeep-solve check makes of it"
-        raise UserError(Fault(message, remedy))
+def check_lines(scene: Scene) -> None:
+    """Raises UserError for a motion of lines in time, which is not followed yet."""
+    if scene.dynamics is not None and scene.lines:
+        raise UserError(
+            Fault(
+                "the deck has *DYNAMIC and a *LINE: motion of lines in time is not followed by "
+                "this version, their statics are",
+                "leave *DYNAMIC out, or take *LINE out",
+            )
+        )
 
 
 def check_resumes(deck: Deck) -> None:

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array
-from ..scene import Line, Scene
+from ..errors import Fault, UserError
+from ..scene import Line, Scene, SeabedContact
 from ..solve.newton import Ending, Limits
 from .assemble import LineModel, assemble, mesh
 from .results import LineResults
@@ -25,8 +26,9 @@ _ITERATIONS = 200  # to lay a line: its first shape may be far from where it lie
 class SolvedLine:
     """States of a line: laid (step 0), then at the end of each step that was reached.
 
-    errors: of position, tension and moment over their largest, by comparison with elements half as
-    long, (3,); failure: why steps are missing; empty if none are.
+    errors: of position, reaction, tension and moment over their largest, by comparison with
+    elements half as long, (4,); the reaction's is that of its largest value. failure: why steps are
+    missing; empty if none are.
     """
 
     model: LineModel
@@ -56,6 +58,7 @@ def solve_line(scene: Scene, line: Line) -> SolvedLine:
     laid.
     """
     contact = next((c for c in scene.seabed_contacts if c.line == line.id), None)
+    check_slack(line, contact)
     accuracy = scene.numerics.accuracy
     rough = _solve(scene, assemble(scene, line, mesh(scene, line, contact, 0)))
     for refined in range(1, _MESHES + 1):
@@ -65,6 +68,23 @@ def solve_line(scene: Scene, line: Line) -> SolvedLine:
             break
         rough = fine
     return found
+
+
+def check_slack(line: Line, contact: SeabedContact | None) -> None:
+    """Raises UserError for a line so long that it would lie on the seabed in bends."""
+    if contact is None:
+        return
+    one, other = (np.array(end.position) for end in line.ends)
+    heights = [max(end[2] - contact.mudline, 0.0) for end in (one, other)]
+    most = float(np.hypot(*(other - one)[:2])) + sum(heights)
+    if line.length > most:
+        raise UserError(
+            Fault(
+                f"L{line.id}: {line.length:g} m of line between ends that {most:g} m would join, "
+                "straight down and along the seabed: it would lie there in bends",
+                "give a shorter line, or ends further apart",
+            )
+        )
 
 
 _Found = tuple[LineModel, tuple[LineState, ...], str]
@@ -104,17 +124,32 @@ def stages(scene: Scene, model: LineModel) -> Iterator[Stage]:
 
 
 def _apart(rough: _Found, fine: _Found) -> Array:
-    """Errors of position, tension and moment of the rougher mesh, over the largest, (3,)."""
+    """Errors of position, reaction, tension and moment of the rougher mesh, (4,)."""
     n = min(len(rough[1]), len(fine[1]))
     if not n:
-        return np.ones(3)
+        return np.ones(4)
     one, other = (LineResults(model.system, states[:n]) for model, states, _ in (rough, fine))
     s = np.linspace(0.0, fine[0].system.unstretched_length, _PLACES + 1)
-    found = []
-    for value in (LineResults.position, LineResults.tension, LineResults.moment):
-        first, second = value(one, s), value(other, s)
-        size = np.abs(second).max()
-        if value is LineResults.position:
-            size = np.ptp(second.reshape(-1, second.shape[-1]), axis=0).max()
-        found.append(np.abs(first - second).max() / size if size > 0.0 else 0.0)
-    return np.array(found)
+    place, held, pulled, bent = (
+        (value(one, s), value(other, s))
+        for value in (
+            LineResults.position,
+            LineResults.reaction,
+            LineResults.tension,
+            LineResults.moment,
+        )
+    )
+    most = [float(np.abs(each).max()) for each in held]
+    return np.array(
+        [
+            _share(place, float(np.ptp(place[1].reshape(-1, place[1].shape[-1]), axis=0).max())),
+            abs(most[0] - most[1]) / most[1] if most[1] > 0.0 else 0.0,
+            _share(pulled, float(np.abs(pulled[1]).max())),
+            _share(bent, float(np.abs(bent[1]).max())),
+        ]
+    )
+
+
+def _share(pair: tuple[Array, Array], size: float) -> float:
+    """Largest distance of two values over a size."""
+    return float(np.abs(pair[0] - pair[1]).max()) / size if size > 0.0 else 0.0

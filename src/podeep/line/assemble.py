@@ -30,6 +30,7 @@ DEGREE = 7
 _FINE = 0.5  # elements at a touchdown or an end, over the length in which bending fades there
 _GROWTH = 0.15  # of elements, over the distance from there
 _COARSE, _FINEST = 1.0 / 30.0, 1.0 / 4000.0  # elements over the line, most and least
+_SLOPES, _STEEPER = 200, 1.05  # places where the slope of a soil is looked for; margin on it
 _CLAMP = 1e6  # stiffness of a held direction, over that of a cantilever of an element
 
 
@@ -242,10 +243,8 @@ def bed_of(scene: Scene, line: Line, contact: SeabedContact, field: Field, m: in
         normal, stiffness = Winkler(contact.stiffness, contact.tolerance), contact.stiffness
     else:
         law = _law(scene, contact, diameter)
-        normal, stiffness = (
-            OneSided(law, contact.tolerance),
-            _stiffness(scene, contact, line.sections[0]),
-        )
+        normal = OneSided(law, contact.tolerance)
+        stiffness = unloading(law, normal, _stiffness(scene, contact, line.sections[0]))
     if contact.suction is not None:
         suction = scene.suctions[contact.suction]
         wear = None
@@ -266,6 +265,19 @@ def bed_of(scene: Scene, line: Line, contact: SeabedContact, field: Field, m: in
         thresholds = np.array([contact.axial_threshold, contact.lateral_threshold])
         friction = Friction(count, coefficients, threshold=thresholds, surface=contact.surface)
     return Bed(field, m, places, normal, friction, contact.mudline)
+
+
+def unloading(law: SeabedLaw, normal: OneSided, secant: float) -> float:
+    """Stiffness that a soil lets go with: its dynamic one, but as steep as it was met, N/m2.
+
+    secant: that of the line at rest, N/m2. Less than the steepest slope would give energy.
+    """
+    shape = np.shape(law.capacity)
+    z = np.geomspace(1e-3 * normal.tolerance, float(np.max(law.diameter)), _SLOPES)
+    steepest = max(float(normal.evaluate(np.full(shape, at))[1].max()) for at in z)
+    dynamic = law.dynamic_stiffness(np.asarray(normal.tolerance))
+    own = 0.0 if dynamic is None else float(np.max(dynamic))
+    return max(secant, own, _STEEPER * steepest)
 
 
 def first_shape(line: Line, plane: Plane, field: Field, contact: SeabedContact | None) -> Array:

@@ -77,6 +77,16 @@ class LineResults:
         level = -np.inf if self.system.bed is None else self.system.bed.level
         return np.asarray(level - self.position(s)[..., -1])
 
+    def reaction(self, s: Array) -> Array:
+        """What the seabed resists with, (steps, n, components), N/m; straight between points."""
+        found = np.zeros((len(self.states), len(s), self.system.components))
+        bed = self.system.bed
+        if bed is not None:
+            for step, state in enumerate(self.states):
+                for component, values in enumerate(state.reaction.T):
+                    found[step, :, component] = np.interp(s, bed.s, values)
+        return found
+
     def touchdown(self) -> Array:
         """Distance at which the line first touches the seabed, seen from its second end, (steps,).
 

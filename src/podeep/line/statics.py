@@ -32,15 +32,17 @@ class LineState:
     """Equilibrium at the end of a stage, or where it stopped.
 
     q: unknowns; load: the factor on the load; forces: what holds the held unknowns, (held,), N;
-    reaction: what the bed resists with at its points, (n, components), N/m; reached: part of the
-    stage; ending: CONVERGED, or why it stopped; residual: force out of balance over the largest
-    one; parts, work: what it took.
+    reaction: what the bed resists with at its points, (n, components), N/m; energy: work of the
+    weight and of what holds the line since it was laid, J; reached: part of the stage; ending:
+    CONVERGED, or why it stopped; residual: force out of balance over the largest one; parts, work:
+    what it took.
     """
 
     q: Array
     load: float
     forces: Array
     reaction: Array
+    energy: float
     reached: float
     ending: Ending
     residual: float
@@ -56,7 +58,7 @@ def laid(system: LineSystem, start: Array, limits: Limits) -> LineState:
         system.bed.press()
         system.bed.commit(outcome.q)
     told = (outcome.ending, outcome.residual, 1, outcome.work)
-    return LineState(outcome.q, 1.0, forces, system.reaction, 1.0, *told)
+    return LineState(outcome.q, 1.0, forces, system.reaction, 0.0, 1.0, *told)
 
 
 def follow(
@@ -81,6 +83,7 @@ def _stage(system: LineSystem, start: LineState, stage: Stage, limits: Limits) -
     limits = replace(limits, iterations=min(_PATIENCE, limits.iterations))
     q, load, begin = start.q, start.load, start.q[system.held]
     work, part, parts, reached, residual = Work(), _LONGEST, 0, 0.0, start.residual
+    pushed, energy = _pushed(system, q, load), start.energy
     while True:
         target = min(reached + part, 1.0)
         factor = start.load + target * (stage.load - start.load)
@@ -90,21 +93,31 @@ def _stage(system: LineSystem, start: LineState, stage: Stage, limits: Limits) -
         work.iterations += outcome.work.iterations
         work.evaluations += outcome.work.evaluations
         if outcome.ending is Ending.CONVERGED:
+            before, moved = pushed, outcome.q - q
             q, load, residual = outcome.q, factor, outcome.residual
+            pushed = _pushed(system, q, load)
+            energy += 0.5 * float((before + pushed) @ moved)
             reached, parts = target, parts + 1
             if outcome.work.iterations <= _EASY:
                 part = min(2.0 * part, _LONGEST)
         else:
             part *= 0.5
         if reached == 1.0 or part < _SHORTEST:
-            forces = (system.internal(q) - load * system.load)[system.held]
-            told = (reached, outcome.ending, residual, parts, work)
+            forces = (_pushed(system, q, load) - load * system.load)[system.held]
+            told = (energy, reached, outcome.ending, residual, parts, work)
             return LineState(q, load, forces, system.reaction, *told)
 
 
 def _scale(system: LineSystem) -> Scale:
     """What a line without loads is at rest against: a share of EA."""
     return Scale(force=float(system.sections.axial.max()))
+
+
+def _pushed(system: LineSystem, q: Array, load: float) -> Array:
+    """All that acts on a line in equilibrium but the seabed: the weight, and what holds it, N."""
+    total = load * system.load
+    total[system.held] = system.internal(q)[system.held]
+    return total
 
 
 def _part(system: LineSystem, q: Array, move: Array, load: Array, limits: Limits) -> Outcome:
