@@ -225,6 +225,8 @@ def test_the_law_of_a_suction() -> None:
     law = pull_out_of(Suction(1, undrained_shear_strength=5e3), 0.3)
     assert float(law.force(0.1)) == pytest.approx(1378.57, abs=5e-3)
     assert float(law.reach(0.1)) == pytest.approx(0.16157, abs=5e-6)
+    other = pull_out_of(Suction(1, force_exponent=0.3, undrained_shear_strength=5e3), 0.3)
+    assert float(other.force(0.3)) == pytest.approx(1.12 * 0.3 * 5e3, rel=1e-14)  # v/D is 1 1/s
     given = pull_out_of(Suction(1, 900.0, 0.2, 0.4, 0.3, 0.1, 0.5), 0.3)
     assert float(given.force(0.1)) == pytest.approx(900.0 * 0.1**0.2, rel=1e-14)
     assert float(given.reach(0.1)) == pytest.approx(0.4 * 0.1**0.3, rel=1e-14)
@@ -296,6 +298,10 @@ def test_all_that_moves_one_degree_of_freedom_is_one_motion(tmp_path: Path) -> N
 @pytest.mark.parametrize(
     ("more", "note"),
     [
+        (
+            "*MOTION\n11 2 X\n0 1",
+            "waves and records of *MOTION have no effect without *DYNAMIC",
+        ),
         (
             "*MOTION\n11 2\nZ 1 12",
             "waves and records of *MOTION have no effect without *DYNAMIC",

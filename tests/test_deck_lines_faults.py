@@ -83,6 +83,7 @@ ADDED = [
     ("*SUCTION\n1 900 REMAIN=0.3", 2, "REMAIN=0.3", "suction 1 has one of the two numbers of wear"),
     ("*SUCTION\n1 900\n1 800", 3, "1", "suction 1 is defined twice, first at a.deck"),
     ("*SUCTION\n1 CU=0", 2, "CU=0", "CU is 0, but must be 1 to 1e+08"),
+    ("*TYPCONTACT", 1, "*TYPCONTACT", "*TYPCONTACT has no data"),
     ("*MOTION", 1, "*MOTION", "*MOTION has no data"),
     ("*MOTION, file=m.txt", 1, "file=m.txt", "*MOTION has no option 'FILE'"),
     ("*MOTION\n11 2", 2, "11", "nothing is said of how it moves"),
@@ -92,6 +93,7 @@ ADDED = [
     ("*MOTION\n12 2\nX 5", 2, "12", "there is no line 12"),
     ("*MOTION\n11 3\nX 5", 2, "3", "END is 3, but must be one of 1, 2"),
     ("*MOTION\n11\nX 5", 2, "", "*MOTION lacks END"),
+    ("*MOTION\n11 3\nX 5\n*QUASISTATIC\n1 L11E3 1", 2, "3", "END is 3, but must be one of 1, 2"),
     ("*MOTION\n11 2\n5 X", 3, "5", "'5' stands where a degree of freedom is expected"),
     ("*MOTION\n11 2\n0 1\n9 2", 3, "0", "'0' stands where a degree of freedom is expected"),
     ("*MOTION\n11 2\nX", 3, "", "*MOTION lacks VALUE"),
@@ -233,9 +235,11 @@ def test_what_only_follows_from_a_fault_of_a_line_is_not_told(tmp_path: Path) ->
     ]
     assert messages(tmp_path, LINE.replace(TOP, "11 2 x 5 0 X")) == ["X is 'x', not a number"]
     assert messages(tmp_path, LINE.replace("-1000\n*SEA", "x\n*SEA")) == ["Z is 'x', not a number"]
-    assert messages(
-        tmp_path, LINE.replace(CONTACT, "0 11 3 x").replace(FOOT, "11 1 0 0 0 FREE")
-    ) == ["MU2 is 'x', not a number"]
+    free = LINE.replace(FOOT, "11 1 0 0 0 FREE").replace(TOP, "11 2 9 0 0 FREE")
+    assert messages(tmp_path, free.replace(CONTACT, "0 11 3 x")) == ["MU2 is 'x', not a number"]
+    assert messages(tmp_path, free.replace(CONTACT, "0 11 3 0.3 0.6")) == [
+        "the seabed under line 11 has no stiffness"
+    ]
 
 
 def test_a_misspelt_line_lacks_nothing_of_foundations(tmp_path: Path) -> None:

@@ -11,17 +11,17 @@ s is the slip since the last commit, N the normal force. Nothing depends on velo
 below the limit holds for ever.
 """
 
-from typing import ClassVar, Literal, NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
 from ..arrays import Array
 from ..errors import InvalidData
+from ..lines import Surface
 from ..soil.memory import Kept
 from ..soil.polyline import Values
 from .bounds import POSITIVE, within
 
-Surface = Literal["box", "ellipse"]
 _LEAST = 1e-150  # limit that counts as none, N/m: ratios to it would overflow
 
 
