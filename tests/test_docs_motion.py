@@ -9,7 +9,7 @@ from manual import DOCS
 from podeep import motion_log, run_motion
 from podeep.deck.read import read_deck
 from podeep.motion import METHODS, Harmonic
-from podeep.solve import dynamics, plan
+from podeep.solve import dynamics, pace, plan
 from podeep.solve.drive import harmonic
 from podeep.solve.integrators import Weighted
 
@@ -56,15 +56,16 @@ def test_numbers_in_prose() -> None:
         rf"$\rho_\infty = {dynamics._RADIUS:g}$",
         f"a {WORDS[plan._PARTS]} of the shortest period of `*HARMONIC` or a "
         f"{WORDS[plan._OWN_PARTS]} of the foundation's own",
-        f"Up to {WORDS[plan._TRIALS]} trials, over {WORDS[int(plan._PERIODS)]} of the longest "
-        f"periods or {plan._SERIES_STEPS} steps, scale it to an error of half the accuracy",
+        f"Up to {WORDS[plan.TRIALS]} trials, over {WORDS[int(plan._PERIODS)]} of the longest "
+        f"periods or {plan._SERIES_STEPS} steps from the onset of loads, scale it to an error of "
+        "half the accuracy",
         f"within 1/{1 / plan._SHORTEST:g} and {plan._LONGEST:g} times the first one",
         f"half the step, {WORDS[run_motion.RESTARTS]} times at most",
         rf"up to $2^{{{dynamics.HALVINGS}}}$ parts",
         f"below {100 * plan._SHARE:g} % of the accuracy",
         f"$(TFIN - TINI)/{motion_log.RECORDS}$",
     )
-    assert (plan._AIM, run_motion.FINER, plan._MESH_SHARE) == (0.5, 0.5, 0.5)
+    assert (plan.AIM, pace.FINER, plan._MESH_SHARE) == (0.5, 0.5, 0.5)
 
 
 def test_the_ramp_is_half_a_wave_of_a_cosine() -> None:
@@ -87,6 +88,6 @@ def test_sessions_are_included_as_they_are() -> None:
     """Every transcript of a real run stands in the manual; lines that are cut end in a table."""
     included = re.findall(r"transcripts/(motion_\w+)\.txt", SESSIONS)
     assert included == ["motion_evolution", "motion_snapshots", "motion_envelope"]
-    (last,) = re.findall(r"^:lines: 2-(\d+)$", SESSIONS, re.M)
+    (last,) = re.findall(r"motion_evolution\.txt\n(?::.*\n)*?:lines: 2-(\d+)$", SESSIONS, re.M)
     text = (DOCS.parent / "tests" / "transcripts" / "motion_evolution.txt").read_text("utf-8")
     assert re.fullmatch(r" +\d+\.\d( +-?0\.\d{7}){4}", text.splitlines()[int(last) - 1])
