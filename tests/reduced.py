@@ -11,7 +11,8 @@ from podeep.deck.read import read_deck
 from podeep.scene import Scene
 from podeep.solve.analysis import Solved, solve
 
-SAMPLES = sorted((Path(__file__).parents[1] / "sample_dbs").glob("*.deck"))
+DECKS = (Path(__file__).parents[1] / "sample_dbs").glob("*.deck")
+SAMPLES = sorted(deck for deck in DECKS if read_deck(deck).scene.foundations)
 
 
 @dataclass(frozen=True)
