@@ -93,17 +93,21 @@ class Bed:
 
     def stiffen(self, band: Array) -> None:
         """Add the tangent at the last `internal` to a lower band, (width, size)."""
-        m = self.components
-        matrix = np.zeros((len(self.s), m, m))
-        matrix[:, -1, -1] = self._stiffness
-        matrix[:, :-1, :-1] += 0.5 * (self._dragged + np.swapaxes(self._dragged, 1, 2))
-        matrix *= self.weight[:, None, None]
-        own = np.einsum("nl,nij,nk->nlikj", self._shares, matrix, self._shares)
-        count = own.shape[1] * m
+        m, width = self.components, band.shape[0]
+        acts = np.flatnonzero((self._stiffness != 0.0) | self._dragged.any(axis=(1, 2)))
+        if not len(acts):  # most of a line hangs
+            return
+        matrix = np.zeros((len(acts), m, m))
+        matrix[:, -1, -1] = self._stiffness[acts]
+        dragged = self._dragged[acts]
+        matrix[:, :-1, :-1] += 0.5 * (dragged + np.swapaxes(dragged, 1, 2))
+        matrix *= self.weight[acts, None, None]
+        shares = self._shares[acts]
+        own = np.einsum("nl,nij,nk->nlikj", shares, matrix, shares, optimize=True)
+        count = shares.shape[1] * m
         i, j, rows, columns = self._pairs
-        entries = own.reshape(len(self.s), count, count)[:, i, j]
-        width = band.shape[0]
-        place = band_place(rows, columns, width)
+        entries = own.reshape(len(acts), count, count)[:, i, j]
+        place = band_place(rows[acts], columns[acts], width)
         band += scatter(place, entries, band.size).reshape(band.shape, order="F")
 
     @property
