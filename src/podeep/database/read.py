@@ -205,7 +205,7 @@ def _group(
     if not isinstance(group, h5py.Group):
         raise wrong(path, f"{name} is no group")
     of_line, loads = subject is LINE, "load" in group
-    spatial = not of_line and "lateral_axis" not in group.attrs
+    spatial = "lateral_axis" not in group.attrs
     table = variables(kind, spatial=spatial, loads=loads, subject=subject)
     axis = AXES[kind]
     sizes = {v.name: _length(path, group, v.name) for v in table if v.is_scale and not v.group}
