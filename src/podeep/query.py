@@ -24,6 +24,7 @@ DatabaseKind = variable.Kind
 Kind = Literal["step_evolution", "snapshot", "envelope"]
 
 _JUMP = 2e-6  # a pair of points closer than this is a jump, m
+_ROWS = 8192  # interpolated at once, so few that they stay in the processor's cache
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,8 +80,10 @@ class _Places:
         """Values at the nodes, shape (rows, nodes), to the points, linearly."""
         return _blend(values[..., self.above], values[..., self.below], self.fraction)
 
-    def hermite(self, values: Array, slopes: Array) -> Array:
-        """The same by the cubic that has the given slopes at both nodes."""
+    def between(self, values: Array, slopes: Array | None = None) -> Array:
+        """The same, by the cubic that has the given slopes at both nodes if there are any."""
+        if slopes is None:
+            return self.linear(values)
         t, h = self.fraction, self.spacing
         # In place: a long motion has millions of values, and each pass over them takes its time.
         start, found = values[..., self.above], values[..., self.below]
@@ -148,15 +151,18 @@ def _at_points(data: "Stored", quantity: str, points: Array, rows: list[int] | N
     """Stored rows at the points, shape (components, rows, points)."""
     places = _places(data.points, points)
 
-    def component(suffix: str) -> Array:
-        values = data.read(quantity + suffix, rows, places.nodes)
-        slope = data.subject.slopes.get(quantity)
-        if slope is None:
-            return places.linear(values)
-        return places.hermite(values, data.read(slope + suffix, rows, places.nodes))
-
     lateral = quantity.startswith("lateral")
-    return np.stack([component(s) for s in (("_x", "_y") if data.spatial and lateral else ("",))])
+    suffixes = ("_x", "_y") if data.spatial and lateral else ("",)
+    slope = data.subject.slopes.get(quantity)
+    names = (quantity,) if slope is None else (quantity, slope)
+    count = len(data.axis) if rows is None else len(rows)
+    found = np.empty((len(suffixes), len(points), count)).swapaxes(1, 2)
+    for component, suffix in zip(found, suffixes, strict=True):
+        stored = [data.read(name + suffix, rows, places.nodes) for name in names]
+        for first in range(0, count, _ROWS):
+            block = slice(first, first + _ROWS)
+            component[block] = places.between(*(values[block] for values in stored))
+    return found
 
 
 def _magnitude(components: Array) -> Array:

@@ -3,7 +3,6 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import product
 from typing import Any
 
 import h5py
@@ -15,8 +14,7 @@ from .grids import Grid, LineGrid
 from .schema import AXES, COMMITTED, places, variables
 from .variable import Kind, Variable
 
-_CHUNK = (1024, 20)  # rows and depths: serves an evolution in time and a snapshot alike
-_COPIED = 4096  # rows at a time
+_CHUNK = (2048, 10)  # rows and depths: serves an evolution in time and a snapshot alike
 _GZIP = 4
 _RESULT = {"static": np.float64, "dynamic": np.float32}
 
@@ -119,42 +117,6 @@ class Layout:
             else:
                 for dimension, scale in zip(data.dims, variable.dims, strict=True):
                     dimension.attach_scale(scales[scale])
-
-
-def write_rows(data: Any, first: int, values: Values) -> None:
-    """Write rows to a dataset; those that fill a row of chunks go past HDF5's sorting."""
-    chunks, end = data.chunks, first + len(values)
-    whole = 0
-    if chunks and first % chunks[0] == 0 and len(values) == chunks[0] and data.compression is None:
-        whole = data.shape[1] - data.shape[1] % chunks[1]
-        for column in range(0, whole, chunks[1]):
-            part = np.ascontiguousarray(values[:, column : column + chunks[1]], dtype=data.dtype)
-            data.id.write_direct_chunk((first, column), part)
-    if not whole:
-        data[first:end] = values
-    elif whole < data.shape[1]:
-        data[first:end, whole:] = values[:, whole:]
-
-
-def copy_rows(source: Any, target: Any, count: int) -> None:
-    """Copy the first rows of a dataset to one of the same chunks, perhaps compressed.
-
-    Chunks that are filled go as they are, which is many times faster; what else is in the others
-    is not known.
-    """
-    chunks, first = target.chunks, 0
-    if chunks and source.chunks == chunks and target.compression is None:
-        rows, columns = count - count % chunks[0], source.shape[1] - source.shape[1] % chunks[1]
-        for corner in product(range(0, rows, chunks[0]), range(0, columns, chunks[1])):
-            target.id.write_direct_chunk(corner, source.id.read_direct_chunk(corner)[1])
-        if columns < source.shape[1]:
-            for at in range(0, rows, chunks[0]):
-                beside = slice(at, at + chunks[0])
-                target[beside, columns:] = source[beside, columns:]
-        first = rows
-    for at in range(first, count, _COPIED):
-        rest = slice(at, min(at + _COPIED, count))
-        target[rest] = source[rest]
 
 
 def _create(

@@ -22,6 +22,9 @@ GROUP = "restart"
 #: Arrays of any shape by their names, which stay the same for a run; read back, they are flat.
 State = Mapping[str, Array]
 
+#: Open datasets of the group by their names.
+Data = Mapping[str, Any]
+
 
 def size(state: State) -> int:
     """Numbers in a state."""
@@ -38,23 +41,26 @@ def build(file: Any, state: State, room: int) -> None:
         creation.set_alloc_time(h5py.h5d.ALLOC_TIME_EARLY)
         dtype = np.float64 if name == "state" else np.int64
         group.create_dataset(name, data=np.zeros(shape, dtype), dcpl=creation)
-    put(file, state)
-    confirm(file)
+    put(written(file), state)
+    confirm(written(file))
 
 
-def put(file: Any, state: State) -> None:
+def written(file: Any) -> Data:
+    """What `put` and `confirm` write to."""
+    return {name: file[f"{GROUP}/{name}"] for name in ("commits", "sizes", "state")}
+
+
+def put(data: Data, state: State) -> None:
     """Write a state into the slot that is not in force."""
-    group = file[GROUP]
-    slot = (int(group["commits"][()]) + 1) % 2
+    slot = (int(data["commits"][()]) + 1) % 2
     values = np.concatenate([np.ravel(v).astype(np.float64) for v in state.values()])
-    group["sizes"][slot] = list(map(np.size, state.values()))
-    group["state"][slot, : len(values)] = values
+    data["sizes"][slot] = list(map(np.size, state.values()))
+    data["state"][slot, : len(values)] = values
 
 
-def confirm(file: Any) -> None:
+def confirm(data: Data) -> None:
     """Let what was put be in force."""
-    commits = file[GROUP]["commits"]
-    commits[()] = int(commits[()]) + 1
+    data["commits"][()] = int(data["commits"][()]) + 1
 
 
 def load(path: Path, file: Any) -> dict[str, Array] | None:

@@ -66,7 +66,9 @@ class Stored:
         unknown name and IndexError for an unknown row.
         """
         wanted = np.atleast_1d(np.arange(len(self.axis))[slice(None) if rows is None else rows])
-        different, place = np.unique(wanted, return_inverse=True)
+        # All rows of a long motion are known to be different, and in order.
+        every = (wanted, wanted) if rows is None else None
+        different, place = every or np.unique(wanted, return_inverse=True)
         tail = self.datasets[quantity].shape[1:]
         columns = tail if points is None else (len(np.arange(*tail)[points]),)
         if 8 * different.size * math.prod(columns) > _LARGEST_READ:
@@ -87,7 +89,7 @@ class Stored:
         for a, b in pairwise((0, *cuts.tolist(), len(points))):
             window = points[a:b]
             first, last = int(window[0]), int(window[-1]) + 1
-            part = self._load(quantity, (rows, slice(first, last)))
+            part = self._finite(quantity, (rows, slice(first, last)))
             values[:, a:b] = part if last - first == b - a else part[:, window - first]
         return values
 
@@ -110,9 +112,12 @@ class Stored:
         return {e: found[f"{quantity}_{e}"] for e in EXTREMES}
 
     def _load(self, name: str, selection: tuple[Any, ...]) -> Array:
-        data = self.datasets[name]
-        with reading(self.path), np.errstate(invalid="ignore"):
-            values = np.asarray(data[selection], dtype=np.float64)
+        return np.asarray(self._finite(name, selection), dtype=np.float64)
+
+    def _finite(self, name: str, selection: tuple[Any, ...]) -> Values:
+        """Values of the type that the file has, none of them infinite or no number."""
+        with reading(self.path):
+            values = np.asarray(self.datasets[name][selection])
         if not np.all(np.isfinite(values)):
             raise wrong(self.path, f"{self.name}/{name} holds values that are not finite")
         return values

@@ -88,6 +88,10 @@ class Stream(io.RawIOBase):
         self._end = max(self._end, self._at)
         return len(data)
 
+    def put(self, data: memoryview, at: int) -> None:
+        """Write bytes behind HDF5's back, to room that it has allocated."""
+        self._attempt(lambda: self._write(data, at))
+
     def _write(self, data: memoryview | bytearray | bytes, at: int) -> None:
         done = 0
         while done < len(data):

@@ -27,7 +27,8 @@ from ..errors import Fault, UserError
 from . import restart
 from .envelope import Values, widen
 from .grids import Grid, LineGrid
-from .layout import Layout, copy_rows, write_rows
+from .layout import Layout
+from .rows import Room, copy_rows
 from .schema import (
     COMMITTED,
     CONVENTIONS,
@@ -47,6 +48,7 @@ __all__ = ["Grid", "LineGrid", "Writer", "check_target"]
 _ROWS, _BOUNDS = "rows", "bounds/"  # names in a state that are the writer's own
 _STATE_GROWTH = 2  # of the room of a state, some parts of which may grow
 _GROWTH = 4  # of the room, each time that it is used up
+_WIDER = 2  # the arrays of rows that wait
 
 
 class Writer:
@@ -100,12 +102,17 @@ class Writer:
         self._sink: Sink
         self._is_open = False
         self._room = self._committed = self._waiting = 0
-        self._pending: list[dict[str, Values]] = []
+        # Rows that wait, in arrays that are used again: fresh memory is slow to come by.
+        self._rows = {
+            path: np.empty((0, *place.tail), place.dtype)
+            for path, place in self._layout.rows.items()
+        }
         self._envelope: dict[str, Values] = {}
         self._last = -np.inf
         self._state, self._resumes = state, resumes
         self._state_room = 0
-        self._data: dict[str, Any] = {}
+        self._rooms: dict[str, Room] = {}
+        self._slots: restart.Data = {}
 
     def __enter__(self) -> Self:
         check_target(self._target, force=self._force)
@@ -195,17 +202,19 @@ class Writer:
         at = np.atleast_1d(np.asarray(axis, dtype=np.float64))
         if not np.all(np.diff(at, prepend=self._last) > 0.0):
             raise ValueError(f"{self._layout.axis} does not increase: {at} after {self._last}")
-        rows = {}
+        first, end = self._waiting, self._waiting + len(at)
         for path, place in self._layout.rows.items():
-            # A copy: the caller may go on to use its own array.
-            given = np.array(values.get(path, at), dtype=place.dtype)
+            given, kept = np.asarray(values.get(path, at)), self._rows[path]
             if given.shape != (len(at), *place.tail):
                 raise ValueError(f"{path}: {given.shape} is not {(len(at), *place.tail)}")
-            if not np.all(np.isfinite(given)):
+            if end > len(kept):
+                kept = np.empty((max(_WIDER * len(kept), end), *place.tail), place.dtype)
+                kept[:first] = self._rows[path][:first]
+                self._rows[path] = kept
+            kept[first:end] = given
+            if not np.all(np.isfinite(kept[first:end])):
                 raise ValueError(f"{path}: not finite, {self._layout.axis} {at}")
-            rows[path] = given
-        self._pending.append(rows)
-        self._waiting += len(at)
+        self._waiting = end
         self._last = at[-1]
         if self._waiting >= self._block and self._state is None:
             self.flush()
@@ -239,26 +248,24 @@ class Writer:
         with told(self.path):
             with stream.checked():
                 for path, values in rows.items():
-                    write_rows(self._data[path], first, values)
+                    for at, part in self._rooms[path].parts(first, values):
+                        stream.put(part.view(np.uint8).data, at)
                 if state is not None:
-                    restart.put(file, state)
+                    restart.put(self._slots, state)
                 file.flush()
             with stream.checked():
                 file[COMMITTED][()] = end
                 if state is not None:
-                    restart.confirm(file)
+                    restart.confirm(self._slots)
                 file.flush()
-        self._pending, self._waiting, self._committed = [], 0, end
+        self._waiting, self._committed = 0, end
         self._state = state if state is not None else self._state
 
     def _gathered(self) -> dict[str, Values]:
         """The rows that wait, together; the envelopes are widened by them."""
         if not self._waiting:
             return {}
-        first, *more = self._pending
-        rows = (
-            {p: np.concatenate([first[p], *(m[p] for m in more)]) for p in first} if more else first
-        )
+        rows = {path: kept[: self._waiting] for path, kept in self._rows.items()}
         for name, quantity in self._layout.shown:
             path = f"{name}/envelope/{quantity}"
             widen(self._envelope, path, rows[f"{name}/{quantity}"], rows[self._axes[name]])
@@ -307,8 +314,11 @@ class Writer:
         if self._is_open:
             self._sink.close()
         self._sink, self._room, self._is_open = fresh, room, running
-        self._data = {path: fresh.file[path] for path in self._layout.rows} if running else {}
-        if not running:
+        if running:
+            self._rooms = {path: Room.of(fresh.file[path]) for path in self._layout.rows}
+            if self._state is not None:
+                self._slots = restart.written(fresh.file)
+        else:
             fresh.close()
 
     def _build(self, file: Any, room: int, status: Status, reason: str) -> None:
