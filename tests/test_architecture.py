@@ -46,7 +46,8 @@ line.__init__ line.rod line.catenary line.boundary_layer line.bed line.equations
 line.results line.assemble line.analysis
 database.__init__ database.variable database.foundation_variables database.line_variables
 database.schema database.envelope database.grids database.rows database.layout database.target
-database.stream database.trust database.restart database.write database.stored database.foundation database.read
+database.stream database.trust database.restart database.write database.stored
+database.foundation database.read
 demand embedded capacity
 risks.__init__ risks.ranges risks.risk risks.curves risks.site risks.piles risks.bearing
 risks.motion risks.seabed risks.lines
