@@ -117,6 +117,7 @@ def test_everything_of_lines_is_told(tmp_path: Path, capsys: pytest.CaptureFixtu
     ("more", "old", "new", "words"),
     [
         ("*DYNAMIC\n0 60", "", "", "motion of lines in time is not followed by this version"),
+        ("*MOTION\n11 1\nRY 5\n*QUASISTATIC\n1 L11E1 1", "", "", "does not turn them"),
         ("", "11 2 991 5 0", "11 2 500 5 0", "it would lie there in bends"),
     ],
 )

@@ -22,7 +22,7 @@ from .report import run_report, step_table, summary
 from .resume import Options, is_of, state_in
 from .risks.bearing import tip_support_check
 from .run_motion import MotionRun, check_motion, run_motion
-from .scene import Foundation, Scene, Steps
+from .scene import TRANSLATIONS, Foundation, Scene, Steps
 from .soil.curves import CurveTable
 from .soil.curves import curves as soil_curves
 from .soil.profile import profile_of
@@ -196,7 +196,16 @@ def run_deck(
 
 
 def check_lines(scene: Scene) -> None:
-    """Raises UserError for a motion of lines in time, which is not followed yet."""
+    """Raises UserError for what is not solved of lines yet: motion in time, ends that turn."""
+    for one in scene.line_motions:
+        if one.dof not in TRANSLATIONS and one.target:
+            raise UserError(
+                Fault(
+                    f"line {one.line}: *MOTION turns end {one.end} about {one.dof[1:]}; this "
+                    "version moves ends, and does not turn them",
+                    f"leave {one.dof} out, or give the direction in *END (DX=, DY=, DZ=)",
+                )
+            )
     if scene.dynamics is not None and scene.lines:
         raise UserError(
             Fault(
