@@ -92,6 +92,19 @@ def test_large_values_lie_in_chunks_and_compress(tmp_path):
         assert database.foundation("F1").read("lateral_force").shape == (2000, 45)
 
 
+@pytest.mark.parametrize("block", [700, 1024, 5000])
+def test_rows_across_the_edges_of_chunks(tmp_path, block):
+    """Blocks and chunks that end elsewhere, a last chunk that is not full, room that grows."""
+    times, depth = np.linspace(0.0, 50.0, 5000), np.linspace(0.0, 30.0, 45)
+    path = builders.dynamic_database(tmp_path / "long.dst", times=times, depth=depth, block=block)
+    given = builders.row_values("dynamic", [builders.grid("F1", depth)], times)
+    with h5py.File(path) as file:
+        assert file["F1/lateral_force"].chunks == (2048, 10)
+        for name, values in given.items():
+            data = file[name]
+            assert np.array_equal(data, np.asarray(values).astype(data.dtype)), name
+
+
 def test_status_and_history(tmp_path):
     with writer(tmp_path / "run.dss", history="podeep-solve run run.dat") as out:
         out.append(AXIS, rows())

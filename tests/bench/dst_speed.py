@@ -5,8 +5,9 @@ python tests/bench/dst_speed.py [STEPS [DEPTHS [FOLDER]]]
 One foundation, one tube, a row for each step. Writing is by the program's own writer, from blocks
 of 1024 rows as a run makes them, with a state to go on from; at the end all is copied to the file
 that stays. The same with the results of the tube at as many elevations. Queries are
-`podeep.query`'s on the open file, its pages in memory. Memory is the peak of a process that writes
-10 000 steps against that of one that writes all.
+`podeep.query`'s on the open file, its pages in memory. Of all times the best and the median are
+printed, by the clock and of the processor, as other programs share the machine. Memory is the peak
+of a process that writes 10 000 steps against that of one that writes all.
 """
 
 import platform
@@ -16,7 +17,6 @@ import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
-from statistics import median
 from typing import Any
 
 import h5py
@@ -32,7 +32,7 @@ from podeep.subject import FOUNDATION
 STEPS, DEPTHS, BLOCK, FEW = 100_000, 200, 1024, 10_000
 STEP = 0.01  # s
 DEEPEST = 50.0  # m
-ROUNDS = 9
+ROUNDS, WRITTEN = 9, 3  # times that a query is asked, and that a database is written
 
 
 def grid(depths: int, *, tubes: bool) -> Grid:
@@ -56,34 +56,45 @@ def block_of_rows(on: Grid) -> dict[str, Array]:
     return found
 
 
-def write(target: Path, steps: int, depths: int, *, tubes: bool) -> tuple[float, float]:
-    """Write a database; seconds as the run goes, and for the file's end."""
+def now() -> Array:
+    """Seconds by the clock, and of the processor."""
+    return np.array([time.perf_counter(), time.process_time()])
+
+
+def write(target: Path, steps: int, depths: int, *, tubes: bool) -> Array:
+    """Write a database; seconds as the run goes, and for the file's end, each as `now`."""
     on = grid(depths, tubes=tubes)
     rows = block_of_rows(on)
-    shown = {f"F1/{q}": rows[f"F1/{q}"] for q in FOUNDATION.quantities}
+    of_all = {f"F1/{q}": rows[f"F1/{q}"] for q in FOUNDATION.quantities}
     state = {"state": np.zeros(16 * depths)}
     options: dict[str, Any] = {"kind": "dynamic", "title": "", "deck_text": "", "loads": ()}
-    begin = time.perf_counter()
+    begin = now()
     with Writer(target, grids=[on], force=True, room=steps, state=state, **options) as writer:
         for first in range(0, steps, BLOCK):
             n = min(BLOCK, steps - first)
             at = STEP * np.arange(first, first + n)
-            writer.widen(at, {name: v[:n] for name, v in shown.items()})
+            writer.widen(at, {name: v[:n] for name, v in of_all.items()})
             writer.append(at, {name: v[:n] for name, v in rows.items()})
             writer.flush(state)
-        gone = time.perf_counter()
+        gone = now()
         writer.finish("complete")
-    return gone - begin, time.perf_counter() - gone
+    return np.array([gone - begin, now() - gone])
 
 
-def timed(what: Callable[[], object]) -> float:
+def timed(what: Callable[[], object]) -> Array:
+    """Seconds that it takes, a row for each round, as `now`."""
     what()
-    times = []
+    times = [now()]
     for _ in range(ROUNDS):
-        begin = time.perf_counter()
         what()
-        times.append(time.perf_counter() - begin)
-    return median(times)
+        times.append(now())
+    return np.diff(times, axis=0)
+
+
+def shown(times: Array, unit: float) -> str:
+    """Best and median of rounds, by the clock and of the processor."""
+    best, middle = times.min(axis=0) / unit, np.median(times, axis=0) / unit
+    return f"{best[0]:.1f} / {middle[0]:.1f} ({best[1]:.1f} / {middle[1]:.1f})"
 
 
 def queries(path: Path) -> None:
@@ -92,13 +103,13 @@ def queries(path: Path) -> None:
         ten, all_ = spread(0.0, data.depth[-1], 10), data.depth
         mid = 0.5 * float(data.axis[-1]) + 0.3 * STEP
         for quantity in FOUNDATION.quantities:
-            evolution = timed(lambda q=quantity: step_evolution(data, q, ten))
-            shot = timed(lambda q=quantity: snapshot(data, q, all_, [mid]))
-            bounds = timed(lambda q=quantity: envelope(data, q, all_))
-            print(
-                f"  {quantity:22} step evolution at 10 depths {1e3 * evolution:6.1f} ms, "
-                f"snapshot {1e3 * shot:5.2f} ms, envelope {1e3 * bounds:5.2f} ms"
-            )
+            asked = {
+                "step evolution at 10 depths": lambda q=quantity: step_evolution(data, q, ten),
+                "snapshot": lambda q=quantity: snapshot(data, q, all_, [mid]),
+                "envelope": lambda q=quantity: envelope(data, q, all_),
+            }
+            for what, query in asked.items():
+                print(f"{what}, {quantity}: {shown(timed(query), 1e-3)} ms")
 
 
 def peak(folder: Path, steps: int, depths: int) -> float:
@@ -110,17 +121,15 @@ def peak(folder: Path, steps: int, depths: int) -> float:
 
 def main(steps: int = STEPS, depths: int = DEPTHS, folder: str | None = None) -> None:
     machine = f"{platform.machine()}, Python {platform.python_version()}, h5py {h5py.__version__}"
-    print(f"{machine}: {steps} steps, {depths} depths")
+    print(f"{machine}: {steps} steps, {depths} depths; best / median (those of the processor)")
     with tempfile.TemporaryDirectory(dir=folder) as place:
         path = Path(place) / "run.dst"
         for tubes in (True, False):
-            going, end = (1e6 * t / steps for t in write(path, steps, depths, tubes=tubes))
-            size = path.stat().st_size
+            rounds = np.array([write(path, steps, depths, tubes=tubes) for _ in range(WRITTEN)])
             what = "with a tube's 11 results" if tubes else "6 quantities over the depth, errors"
-            print(
-                f"writing, {what}: {going:.1f} us a step, and {end:.1f} us at the end, "
-                f"{size / 2**20:.0f} MB"
-            )
+            print(f"writing, {what}, {path.stat().st_size / 2**20:.0f} MB:")
+            print(f"  as the run goes {shown(rounds[:, 0], 1e-6 * steps)} us a step")
+            print(f"  copy at the end {shown(rounds[:, 1], 1e-6 * steps)} us a step")
         queries(path)
         few, many = (peak(Path(place), n, depths) for n in (min(FEW, steps), steps))
         print(f"peak memory of the writer: {few:.1f} MB at {FEW} steps, {many:.1f} MB at {steps}")
