@@ -119,6 +119,7 @@ def test_a_line_beside_a_pile(case, capsys):
 def test_a_step_that_cannot_be_is_told_and_what_came_before_is_kept(case, capsys):
     """The second step would take the end through the other one."""
     text = SHORT.format(mu=0).replace("X 0.05", "X -1000").replace("1 L3E2 0.5", "1 L3E2 1e-6")
+    text = text.replace("200e9 7850\n", "200e9 7850 6\n")
     (case / "lost.deck").write_text(text, encoding="utf-8")
     code = main(["run", "lost.deck"])
     shown = capsys.readouterr()
