@@ -19,7 +19,7 @@ def line_sheet(scene: Scene, solved: SolvedLine) -> Sheet:
     share = np.arange(_BETWEEN) / _BETWEEN
     inside = edges[:-1, None] + np.diff(edges)[:, None] * share
     distance = np.append(inside.ravel(), edges[-1])
-    contact = next((c for c in scene.seabed_contacts if c.line == line.id), None)
+    contact = scene.seabed_under(line)
     mudline = contact.mudline if contact is not None else _lowest(solved, distance)
     grid = LineGrid(f"L{line.id}", distance, mudline)
     values = {**line_values(solved, distance, mudline), **progress(solved)}

@@ -11,6 +11,7 @@ from typing import Literal
 
 from .errors import InvalidData
 from .lines import TRANSLATIONS as TRANSLATIONS
+from .lines import Form as Form
 from .lines import Line as Line
 from .lines import LineEnd as LineEnd
 from .lines import LineMotion as LineMotion
@@ -314,6 +315,10 @@ class Scene:
     def spudcan(self, foundation: Foundation) -> Spudcan | None:
         """The spudcan under a foundation, if it has one."""
         return next((s for s in self.spudcans if s.tube in foundation.tubes), None)
+
+    def seabed_under(self, line: Line) -> SeabedContact | None:
+        """What a line lies on, if it meets the seabed."""
+        return next((c for c in self.seabed_contacts if c.line == line.id), None)
 
     def tip(self, foundation: Foundation) -> float:
         """Elevation of a foundation's lowest tip, m."""

@@ -57,7 +57,7 @@ def solve_line(scene: Scene, line: Line) -> SolvedLine:
     The finer of the last two meshes is what is returned. Raises UserError for a line that cannot be
     laid.
     """
-    contact = next((c for c in scene.seabed_contacts if c.line == line.id), None)
+    contact = scene.seabed_under(line)
     check_slack(line, contact)
     accuracy = scene.numerics.accuracy
     rough = _solve(scene, assemble(scene, line, mesh(scene, line, contact, 0)))

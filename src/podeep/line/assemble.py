@@ -195,7 +195,7 @@ def assemble(scene: Scene, line: Line, edges: Array) -> LineModel:
     bending = np.array([section.bending_stiffness for section in every])
     weight = np.array([_weight(scene, section) for section in every])
     field = Field(edges, bending, DEGREE, 1, float(np.mean(np.diff(edges))))
-    contact = next((c for c in scene.seabed_contacts if c.line == line.id), None)
+    contact = scene.seabed_under(line)
     bed = None if contact is None else bed_of(scene, line, contact, field, m)
     held, clamps = [], []
     for end in line.ends:

@@ -4,18 +4,16 @@ Points are the Gauss points of the elements (the reaction is integrated along th
 each with the length of line that belongs to it (concentrated at the nodes, as DeepLines has it).
 """
 
-from typing import Literal
-
 import numpy as np
 
 from ..arrays import Array
 from ..beam.band import band_place, pairs, scatter
 from ..beam.field import Field
 from ..beam.shapes import gauss_points
+from ..scene import Form
 from ..seabed.friction import Friction
 from ..soil.memory import Backbone, Memory
 
-Form = Literal["integrated", "nodal"]
 _POINTS = 4  # more than the degree: the reaction has a corner where a line touches down
 
 
