@@ -42,7 +42,8 @@ solve.accuracy solve.analysis solve.diagnosis
 solve.equations solve.stage solve.integrators solve.conserving solve.drive solve.moving solve.body
 solve.starts solve.dynamics solve.simulate solve.resume
 solve.eigen solve.families solve.about_state solve.modes solve.plan solve.adaptive solve.pace
-line.__init__ line.rod line.catenary line.boundary_layer line.bed line.equations line.statics
+line.__init__ line.rod line.catenary line.boundary_layer line.pulled line.peel line.free_span
+line.bed line.equations line.statics
 line.results line.assemble line.analysis
 database.__init__ database.variable database.foundation_variables database.line_variables
 database.schema database.envelope database.grids database.rows database.layout database.target
