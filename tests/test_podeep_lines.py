@@ -39,13 +39,22 @@ def data(quantity, field):
         ("r4R", "axial_force"),
         ("p6P", "penetration"),
         ("n7N", "normal_reaction"),
+        ("e8E", "effective_tension"),
+        ("b9B", "bending_moment"),
     ],
 )
 def test_a_sign_means_the_same_of_lines_and_foundations_static_and_dynamic(signs, quantity):
     for sign in signs:
-        for source, start, end in ((RISER, "g\nf", "0 9 2 0"), (MOVING, "h\ne", "0 9 2")):
+        for source, start, end in ((RISER, "g\nf", "0 9 2 0"), (MOVING, "h\nt", "0 9 2")):
             requests, _ = session(f"{start}\n{sign}\n{end}\n", source)
             assert [(r.name, r.quantity) for r in requests] == [("L1", quantity)]
+
+
+@pytest.mark.parametrize("sign", ["e", "b", "8", "9"])
+def test_tension_and_moment_have_no_envelope(sign):
+    requests, _ = session("h\ne\nn\n0 9 2\n", MOVING)
+    assert [(r.analysis, r.quantity) for r in requests] == [("envelope", "normal_reaction")]
+    assert f"'{sign}' is not one of 1, 2, 3, 4, 6, 7, 5, q" in refusal(f"h\ne\n{sign}", MOVING)
 
 
 @pytest.mark.parametrize("sign", ["5", "o"])
@@ -55,7 +64,7 @@ def test_other_keeps_its_signs(sign):
         assert out.count("Step evolution <t>") == 2
 
 
-@pytest.mark.parametrize("sign", ["p", "n", "6", "7"])
+@pytest.mark.parametrize("sign", ["p", "n", "e", "b", "6", "7", "8", "9"])
 def test_a_foundation_has_no_results_across_the_seabed(sign):
     assert f"'{sign}' is not one of l, f, a, r, o, q" in refusal(f"g\nF1\nf\n{sign}", BOTH)
 
@@ -149,9 +158,23 @@ def test_csv_of_a_line_has_its_distances():
     assert "step,normal_reaction [N/m] at distance 1.5 m" in csv_table(curves, ORIGIN)
 
 
-@pytest.mark.parametrize("quantity", LINE.quantities)
+@pytest.mark.parametrize("quantity", LINE.inner)
+def test_tension_and_moment_of_a_riser_in_a_file(tmp_path, quantity):
+    path = risers.static_database(tmp_path / "run.dss")
+    s = np.array([60.0, 70.0, 100.0])
+    with open_database(path) as database:
+        curves = snapshot(database.line("L1"), quantity, s, [2.0])
+    told = risers.riser(s, risers.amplitude("static", np.array([2])))[f"line/{quantity}"]
+    assert_allclose(curves.values, told, rtol=1e-14)
+    pair = dict(heading(curves, ORIGIN))
+    assert pair["Result"].startswith(("Effective tension (kN), ", "Bending moment (kN m), "))
+    assert axes_of(draw(curves, ORIGIN)).get_ylabel() in pair["Result"]
+
+
+@pytest.mark.parametrize("quantity", [*LINE.quantities, *LINE.inner])
 def test_every_result_of_a_line_says_which_way_it_counts(quantity):
-    curves = snapshot(data(quantity, lambda a, s: a + s), quantity, np.array([1.0]), [1])
+    stored = LINE.inner.get(quantity, quantity)
+    curves = snapshot(data(stored, lambda a, s: a + s), quantity, np.array([1.0]), [1])
     assert "positive" in dict(heading(curves, ORIGIN))["Result"]
 
 

@@ -154,14 +154,15 @@ def _at_points(data: "Stored", quantity: str, points: Array, rows: list[int] | N
     lateral = quantity.startswith("lateral")
     suffixes = ("_x", "_y") if data.spatial and lateral else ("",)
     slope = data.subject.slopes.get(quantity)
-    names = (quantity,) if slope is None else (quantity, slope)
+    stored = data.subject.inner.get(quantity, quantity)
+    names = (stored,) if slope is None else (stored, slope)
     count = len(data.axis) if rows is None else len(rows)
     found = np.empty((len(suffixes), len(points), count)).swapaxes(1, 2)
     for component, suffix in zip(found, suffixes, strict=True):
-        stored = [data.read(name + suffix, rows, places.nodes) for name in names]
+        read = [data.read(name + suffix, rows, places.nodes) for name in names]
         for first in range(0, count, _ROWS):
             block = slice(first, first + _ROWS)
-            component[block] = places.between(*(values[block] for values in stored))
+            component[block] = places.between(*(values[block] for values in read))
     return found
 
 

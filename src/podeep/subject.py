@@ -16,9 +16,9 @@ class Subject:
 
     initial: of its ids, as F of F1. coordinate: dimension of its results, m. where: what the
     coordinate measures; reference: from where; positive, order: which way it counts. start: what
-    the state of step 0 is. quantities: what is shown of it, and has an envelope. slopes: variables
-    that hold the derivative by the coordinate of some of them; the others are straight between
-    two points.
+    the state of step 0 is. quantities: what is shown of it, and has an envelope. inner: what is shown
+    besides, without one, and where the database holds it. slopes: variables that hold the
+    derivative by the coordinate of some quantities; the others are straight between two points.
     """
 
     name: str
@@ -30,6 +30,7 @@ class Subject:
     order: str
     start: str
     quantities: tuple[str, ...]
+    inner: Mapping[str, str]
     slopes: Mapping[str, str]
 
 
@@ -45,6 +46,7 @@ FOUNDATION = Subject(
     order="above or below the first",
     start="the state before loading",
     quantities=_BOTH,
+    inner={},
     slopes={"lateral_displacement": "lateral_slope", "axial_displacement": "axial_strain"},
 )
 
@@ -58,6 +60,7 @@ LINE = Subject(
     order="before or beyond the first",
     start="the state at the end of laying",
     quantities=(*_BOTH, "penetration", "normal_reaction"),
+    inner={q: f"line/{q}" for q in ("effective_tension", "bending_moment")},
     slopes={},
 )
 

@@ -25,6 +25,8 @@ _LINE_SIGNS = {
     "axial_force": "positive against displacement towards end 2",
     "penetration": "penetration, positive into the seabed",
     "normal_reaction": "positive as the seabed pushes the line up",
+    "effective_tension": "positive in tension",
+    "bending_moment": "positive sagging, in space its size",
 }
 
 

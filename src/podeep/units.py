@@ -41,6 +41,8 @@ QUANTITIES = {
         Quantity("axial_force", "Axial force", "N/m", "kN/m", 1e-3),
         Quantity("penetration", "Normal displacement", "m", "m", 1.0),
         Quantity("normal_reaction", "Normal force", "N/m", "kN/m", 1e-3),
+        Quantity("effective_tension", "Effective tension", "N", "kN", 1e-3),
+        Quantity("bending_moment", "Bending moment", "N m", "kN m", 1e-3),
     )
 }
 
