@@ -15,6 +15,7 @@ PAGES = {
     if page.stem != "index"
 }
 SEABED_LAWS = (DOCS / "seabed_laws.md").read_text(encoding="utf-8")
+LINES = (DOCS / "lines.md").read_text(encoding="utf-8")
 INDEX = (DOCS / "laws" / "index.md").read_text(encoding="utf-8")
 
 

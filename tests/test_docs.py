@@ -5,7 +5,7 @@ import re
 import pytest
 from matplotlib import rc_context
 
-from manual import INDEX, PAGES, SEABED_LAWS, figures
+from manual import INDEX, LINES, PAGES, SEABED_LAWS, figures
 from podeep.cli.solve import main
 from podeep.deck.keywords import KEYWORDS
 from podeep.deck.read import read_deck
@@ -57,7 +57,7 @@ def test_a_page_is_short_and_in_order(page):
 
 
 def test_every_figure_of_a_page_is_drawn_and_every_drawn_one_shown():
-    named = re.findall(r"generated/laws/(\w+)\.png", "".join([*PAGES.values(), SEABED_LAWS]))
+    named = re.findall(r"generated/laws/(\w+)\.png", "".join([*PAGES.values(), SEABED_LAWS, LINES]))
     assert sorted(named) == sorted(figures.FIGURES)
     assert all("{figure}" in text for text in PAGES.values())
 

@@ -162,6 +162,14 @@ def test_suction_of_no_reach_is_that_of_a_film():
     assert apart[2] < 3e-3
 
 
+def test_a_pipe_that_is_held_all_along_goes_on_as_its_end_breaks_out():
+    """Where it does, the largest moment is still in what is held."""
+    before, after = (peeled(h, EI, W, 1500.0, 0.1) for h in (0.1, 0.1 * (1.0 + 1e-9)))
+    for name in ("held", "length", "lift", "reaction", "largest_moment"):
+        assert getattr(after, name) == pytest.approx(getattr(before, name), rel=1e-4), name
+    assert 0.0 < after.curvature < 1e-4 * before.largest_moment / EI
+
+
 def test_little_suction_is_none():
     none = peeled(1.0, EI, W)
     assert peeled(1.0, EI, W, 1500.0, 0.0) == peeled(1.0, EI, W, 0.0, 0.1) == none

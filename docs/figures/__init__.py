@@ -1,4 +1,4 @@
-"""The figures of the pages on laws, drawn with the laws themselves.
+"""The figures of the pages on laws and on lines, drawn with the laws and samples themselves.
 
 A figure is a function named as its file and listed here; the docs build writes them all into
 docs/generated/laws.
@@ -6,7 +6,7 @@ docs/generated/laws.
 
 from pathlib import Path
 
-from . import axial, clay, layers, pisa, sand_rock, seabed, spudcan
+from . import axial, clay, layers, lines, pisa, sand_rock, seabed, spudcan
 from .canvas import png_of
 
 FIGURES = {
@@ -38,6 +38,7 @@ FIGURES = {
         seabed.seabed_suction_speed,
         seabed.seabed_friction,
         seabed.seabed_hyperbolic,
+        lines.line_pipe_lifted,
     )
 }
 

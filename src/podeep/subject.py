@@ -16,9 +16,9 @@ class Subject:
 
     initial: of its ids, as F of F1. coordinate: dimension of its results, m. where: what the
     coordinate measures; reference: from where; positive, order: which way it counts. start: what
-    the state of step 0 is. quantities: what is shown of it, and has an envelope. inner: what is shown
-    besides, without one, and where the database holds it. slopes: variables that hold the
-    derivative by the coordinate of some quantities; the others are straight between two points.
+    the state of step 0 is. quantities: what is shown of it, and has an envelope. inner: what is
+    shown without one, and where the database holds it. slopes: variables that hold the derivative
+    by the coordinate of some quantities; the others are straight between two points.
     """
 
     name: str
