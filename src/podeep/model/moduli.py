@@ -28,6 +28,13 @@ def directed(along: Array, across: Array, u: Array, distance: Array) -> Array:
     return moduli
 
 
+def raised(modulus: Array, least: Array) -> Array:
+    """Moduli of at least so much, (n,); of matrices, (3, n), with so much more all around."""
+    if modulus.ndim == 1:
+        return np.maximum(modulus, least)
+    return np.asarray(modulus + np.array([[1.0], [1.0], [0.0]]) * least)
+
+
 def secant(force: Array, u: Array, modulus: Array) -> Array:
     """force / u, with the exact limit at u = 0, where it is the modulus."""
     return np.divide(force, u, out=modulus.copy(), where=u != 0.0)

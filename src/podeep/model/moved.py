@@ -20,8 +20,8 @@ class Way:
     """How one problem moves: unknowns, velocities and accelerations, (steps, unknowns) each.
 
     origin: unknowns from which the soil's motion counts, (unknowns,). resisted: what the soil
-    resists at the points beside what it does at the end of statics, (steps, points), where that
-    depends on the way.
+    resists at the points beside what it does at the end of statics, (steps, points), in two planes
+    (steps, 2, points), where that depends on the way.
     """
 
     q: Array
@@ -63,7 +63,7 @@ class Moved(Results):
     def lateral_reaction(self, x: Array) -> Array:
         if self.deflecting.resisted is not None:
             found = self._between(self.model.lateral.system.points[0], self.deflecting.resisted, x)
-            return found[:, None] + self._behind("lateral_reaction", x)
+            return found.reshape(len(found), -1, len(x)) + self._behind("lateral_reaction", x)
         reaction = self.model.profile.lateral(x, self.diameter(x))
         moved = self.deflection(x) - self._from(self.deflecting.origin).deflection(x)
         return reacted(moved, reaction) + self._behind("lateral_reaction", x)
@@ -91,7 +91,7 @@ class Moved(Results):
         return self.still.tip()[1] if self.still is not None and self.shown else 0.0
 
     def _between(self, points: Points, values: Array, x: Array) -> Array:
-        """Values at Gauss points, (steps, points), by their polynomials at depths x."""
+        """Values at Gauss points, (..., points), by their polynomials at depths x."""
         edges = self.model.edges
         interval = np.clip(np.searchsorted(edges, x, side="left") - 1, 0, len(edges) - 2)
         first = int(np.searchsorted(edges, points.x[0], side="left")) - 1
@@ -99,7 +99,7 @@ class Moved(Results):
         middle, half = 0.5 * (edges[1:] + edges[:-1]), 0.5 * np.diff(edges)
         shares = gauss_interpolation((x - middle[interval]) / half[interval], count)
         place = (interval - first)[:, None] * count + np.arange(count)
-        return np.asarray(np.einsum("xg,sxg->sx", shares, values[:, np.maximum(place, 0)]))
+        return np.asarray(np.einsum("xg,...xg->...x", shares, values[..., np.maximum(place, 0)]))
 
     def _from(self, lateral: Array | None = None, axial: Array | None = None) -> Results:
         """One state of the model, at rest where it is not given."""
@@ -128,7 +128,7 @@ class Moved(Results):
             if resisted is None:
                 force = reacted(felt[..., first:end], points.reaction)
             else:
-                force = resisted[:, None, first:end]
+                force = resisted.reshape(len(resisted), -1, resisted.shape[-1])[..., first:end]
             if points.follows is not None:
                 force *= np.linalg.norm(found[points.follows], axis=1)[:, None]
             if still is not None:

@@ -9,7 +9,7 @@ from ..arrays import Array
 from ..errors import Fault, InvalidData, UserError
 from ..scene import Hysteresis
 from ..soil.memory import Memory
-from ..soil.memory_of import memory_of
+from ..soil.memory_of import memory_in_space, memory_of
 from .system import System
 
 
@@ -24,9 +24,9 @@ class Together(Memory):
         ]
 
     def evaluate(self, u: Array) -> tuple[Array, Array]:
-        force, stiffness = np.empty_like(u), np.empty_like(u)
+        force, stiffness = np.empty_like(u), np.empty((3, len(u)) if u.ndim == 2 else len(u))
         for memory, at in self.parts:
-            force[at], stiffness[at] = memory.evaluate(u[at])
+            force[at], stiffness[..., at] = memory.evaluate(u[at])
         return force, stiffness
 
     def commit(self, u: Array) -> None:
@@ -60,20 +60,25 @@ def remembered(system: System, hysteresis: Hysteresis, name: str) -> Memory | No
     if hysteresis == "ELASTIC":
         return None
     check_plane(system.components, hysteresis, name)
+    spatial = system.components == 2
     try:
-        parts = [(memory_of(p.reaction, hysteresis), len(p.x)) for p in system.points]
+        parts = [
+            (memory_in_space(p.reaction) if spatial else memory_of(p.reaction, hysteresis), len(p.x))
+            for p in system.points
+        ]
     except InvalidData as error:
         raise UserError(Fault(f"{name}: {error.message}", error.remedy)) from error
     return Together(parts) if len(parts) != 1 else parts[0][0]
 
 
 def check_plane(components: int, hysteresis: Hysteresis, name: str) -> None:
-    """Raises UserError for soil that would have to remember motion in two planes."""
-    if components == 2 and hysteresis != "ELASTIC":
+    """Raises UserError for soil that would have to remember a gap in two planes."""
+    if components == 2 and hysteresis == "GAP":
         raise UserError(
             Fault(
-                f"{name}: HYSTERESIS={hysteresis} follows motion in one plane, but loads or "
-                "supports share none",
-                "give all loads of the foundation one plane, or *MODEL HYSTERESIS=ELASTIC",
+                f"{name}: HYSTERESIS=GAP follows motion in one plane, as its source does: what "
+                "shape a gap has in two is not known. The model is spatial: "
+                "loads or supports share no plane, or SPATIAL asks for it",
+                "choose *MODEL HYSTERESIS=MASING, or give all loads one plane and leave SPATIAL out",
             )
         )

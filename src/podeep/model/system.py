@@ -23,7 +23,7 @@ from ..beam.band import add_product, band_place, bandwidth, element_band, pairs,
 from ..beam.field import Field
 from ..beam.rows import Rows, stacked
 from ..soil.reaction import Reaction
-from .moduli import NOTHING, directed, secant
+from .moduli import NOTHING, directed, raised, secant
 from .points import Points
 from .springs import Spring, springs_of
 
@@ -37,6 +37,7 @@ _SHARE = 1e-4  # of the secant: least modulus where a tangent has to be made pos
 
 
 #: Of points at a state: their motion, its size, force and modulus along it, and p / r across it.
+#: Of soil that remembers in two planes the modulus is xx, yy and xy of a matrix, (3, points).
 Reached: TypeAlias = tuple[Array, Array, Array, Array, Array | None]
 
 
@@ -75,6 +76,7 @@ class System:
         self._balance = _transposed(self._observe * factors[:, None])
         self._count, self._at_rest = len(weight), self.points
         self.softening = 1.0
+        self._memory: Evaluated | None = None
         self._at: Array | None = None
         self.reached: Reached
 
@@ -181,8 +183,10 @@ class System:
         other = copy(self)
         other.linear = self.linear + without(more, self.held).ravel(order="F")
         other._at = None
-        if reaction is not None:
+        if reaction is not None and self.components == 1:
             other.__dict__["_together"] = reaction
+        elif reaction is not None:
+            other._memory = reaction
         return other
 
     def spread(self, modulus: Array) -> Array:
@@ -251,9 +255,13 @@ class System:
             u = seen[:count].copy()
             distance = np.hypot(u[:, 0], u[:, 1])
             np.maximum(distance, NOTHING, out=distance)
-            force, modulus = self.react(distance)
-            across = force / distance
-            seen[:count] *= across[:, None]
+            if self._memory is None:
+                force, modulus = self.react(distance)
+                across = force / distance
+                seen[:count] *= across[:, None]
+            else:
+                seen[:count], modulus = self._memory.evaluate(u)
+                force = np.hypot(seen[:count, 0], seen[:count, 1])
         self._at, self.reached = q, (u, distance, force, modulus, across)
         inner: Array = self._balance.dot(seen).ravel()
         if self.springs.any:
@@ -269,11 +277,10 @@ class System:
         that has to close): the energy still falls along the answer, and the residual that decides
         on equilibrium stays the exact one.
         """
-        _, distance, force, modulus, _ = self.reached
+        modulus = self.reached[3]
         x = self._solve(modulus, right)
         if x is None:
-            some = _SHARE * np.abs(secant(force, distance, modulus))
-            x = self._solve(np.maximum(modulus, some), right)
+            x = self._solve(raised(modulus, _SHARE * np.abs(self._secants())), right)
         if x is None:
             x = self.solve_by_secants(right)
         if x is None:
@@ -282,9 +289,13 @@ class System:
 
     def solve_by_secants(self, right: Array) -> Array | None:
         """Solve with the secant moduli at the last `internal`; None for a mechanism."""
-        _, distance, force, modulus, _ = self.reached
-        secants = secant(force, distance, modulus)
+        secants = self._secants()
         return self._solve(secants, right, across=secants)
+
+    def _secants(self) -> Array:
+        """Of the reactions at the last `internal`; shares of the capacity where these remember."""
+        _, distance, force, modulus, _ = self.reached
+        return secant(force, distance, modulus) if modulus.ndim == 1 else self._capacity_moduli
 
     def restrained(self) -> bool:
         """Whether soil and holds carry any small load, wherever the soil has some capacity."""
@@ -371,6 +382,8 @@ class System:
         """xx, yy and xy moduli, one after the other, of a reaction along the displacement."""
         if across is along:
             return np.concatenate([across, across, np.zeros(self._count)])
+        if along.ndim == 2:
+            return along.ravel()
         u, distance, _, _, exact = self.reached
         if across is None:
             assert exact is not None

@@ -36,7 +36,8 @@ class Memory(Kept, ABC):
     """A reaction at n points that depends on its path; the state is that of the last `commit`.
 
     Displacements u (m) have shape (n,); forces come in N/m along a tube, N at a tip, positive
-    against a positive displacement.
+    against a positive displacement. Across a tube that moves in two planes both have shape (n, 2),
+    and derivatives are the entries xx, yy and xy of symmetric matrices, (3, n).
     """
 
     @abstractmethod

@@ -10,6 +10,7 @@ from .backbone import SignedUserCurve, UserCurve
 from .degrading import Degrading
 from .energy import gives_back, half_way, held, softens
 from .gap import DRAG, Gap
+from .iwan import Iwan
 from .law import Law
 from .masing import Masing
 from .memory import Elastic, Memory
@@ -51,6 +52,16 @@ def memory_of(reaction: Reaction, hysteresis: Hysteresis, drag: Array | float = 
         return memory
     peak = envelope.capacity
     return Gap(memory, peak, half_way(envelope, peak), drag)
+
+
+def memory_in_space(reaction: Reaction) -> Iwan:
+    """The memory under MASING of a reaction across a tube that moves in two planes.
+
+    Raises InvalidData as `memory_of`, and for curves whose slope rises on the way.
+    """
+    _check_known([term.law for term in reaction.laws], "MASING")
+    _check_secant(held(reaction), "MASING")
+    return Iwan(reaction)
 
 
 def _check_known(laws: Sequence[Law], hysteresis: Hysteresis) -> None:

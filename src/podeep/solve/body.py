@@ -90,9 +90,9 @@ def body(scene: Scene, static: Model, rest: State) -> Body:
         mass = mass_band(scene, model, which)
         lossy = damping(scene, model, problem, mass, which)
         memory = remembered(system, scene.numerics.hysteresis, foundation.name)
-        if memory is not None:
-            memory.commit(system.displacement(q - origin)[:, 0])
-        return Moving(problem, mass, lossy, pushes, origin, base, memory)
+        made = Moving(problem, mass, lossy, pushes, origin, base, memory)
+        made.commit(q)
+        return made
 
     lateral = moving("lateral")
     axial = moving("axial") if moves(scene, model, pushes, "axial") else None

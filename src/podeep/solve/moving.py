@@ -165,9 +165,9 @@ class Moving:
     def remembered(self, q: Array) -> Array | None:
         """What the soil resists at the points in the state q, the last that was committed.
 
-        None where it follows from q alone.
+        Shape (points,), in two planes (2, points); None where it follows from q alone.
         """
-        return None if self.memory is None else self.memory.evaluate(self._felt(q))[0]
+        return None if self.memory is None else self.memory.evaluate(self._felt(q))[0].T
 
     def dissipated(self) -> float:
         """Energy that the soil has lost since the start, J."""
@@ -175,4 +175,5 @@ class Moving:
         return float(np.sum(self.system.weight * lost))
 
     def _felt(self, q: Array) -> Array:
-        return self.system.displacement(q - self.origin)[:, 0]
+        felt = self.system.displacement(q - self.origin)
+        return felt if self.system.components == 2 else felt[:, 0]
