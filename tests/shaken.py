@@ -40,7 +40,15 @@ SWAY 1.3 0 0.5
 {record}
 *ACCURACY
 {accuracy}
-*EXEC
+{more}*EXEC
+"""
+#: soil that remembers, and another load that leads the head round
+ROUND = """\
+*MODEL HYSTERESIS=MASING
+*LOAD
+ACROSS 1 -9 0 70e3 0 0 0 0
+*HARMONIC
+ACROSS 0.9 0 0.5
 """
 
 
@@ -55,8 +63,9 @@ def deck(
     record: float = STEP,
     accuracy: float = 1e-2,
     adaptive: bool = False,
+    more: str = "",
 ) -> Path:
-    """The deck, in a folder. method: of *DYNAMIC, the program's own unless given."""
+    """The deck, in a folder. method: of *DYNAMIC, else the program's own. more: keywords."""
     folder.mkdir(exist_ok=True)
     path = folder / "shaken.deck"
     text = DECK.format(
@@ -68,6 +77,7 @@ def deck(
         record=record,
         dynimp="30 0.5 0.25 1" if adaptive else "30",
         accuracy=accuracy,
+        more=more,
     )
     path.write_text(text, encoding="utf-8")
     return path

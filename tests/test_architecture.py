@@ -24,9 +24,9 @@ soil.backbone soil.soft_clay soil.sand soil.initial_line soil.stiff_clay
 soil.weak_rock
 soil.reese_sand soil.iso_clay soil.pisa_fits soil.pisa soil.lateral soil.axial soil.layering
 soil.layers soil.surroundings soil.kinds soil.equivalent soil.reaction soil.profile soil.curves
-soil.memory soil.energy soil.masing soil.degrading soil.sliders soil.iwan soil.approach soil.gap soil.near_field
-soil.series soil.py_simple soil.tz_simple soil.qz_simple soil.tip_memory soil.secant
-soil.memory_of
+soil.memory soil.energy soil.masing soil.degrading soil.sliders soil.iwan soil.approach soil.gap
+soil.near_field soil.series soil.py_simple soil.tz_simple soil.qz_simple soil.tip_memory
+soil.secant soil.memory_of
 soil.lateral_capacity soil.axial_capacity soil.required_length soil.spudcan soil.spudcan_bearing
 soil.spudcan_yield
 seabed.normal seabed.friction seabed.suction

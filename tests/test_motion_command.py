@@ -186,7 +186,7 @@ def test_limits_of_newton_and_long_steps(tmp_path):
 @pytest.mark.parametrize(
     ("more", "words"),
     [
-        ("*MODEL, SPATIAL, HYSTERESIS=MASING\n", "follows motion in one plane"),
+        ("*MODEL, SPATIAL, HYSTERESIS=GAP\n", "GAP follows motion in one plane"),
     ],
 )
 def test_what_cannot_be_had_is_told_before_anything_is_solved(tmp_path, capsys, more, words):

@@ -50,6 +50,7 @@ SCENES = {
     "two parts of a step": {"method": "BATHE"},
     "what the accuracy chose": {"step": None, "accuracy": 1e-3},
     "steps that follow the error": {"adaptive": True, "record": 0.02, "heave": 1e5},
+    "soil that remembers in two planes": {"end": 0.5, "more": shaken.ROUND},
 }
 
 

@@ -63,7 +63,10 @@ def remembered(system: System, hysteresis: Hysteresis, name: str) -> Memory | No
     spatial = system.components == 2
     try:
         parts = [
-            (memory_in_space(p.reaction) if spatial else memory_of(p.reaction, hysteresis), len(p.x))
+            (
+                memory_in_space(p.reaction) if spatial else memory_of(p.reaction, hysteresis),
+                len(p.x),
+            )
             for p in system.points
         ]
     except InvalidData as error:
@@ -76,9 +79,9 @@ def check_plane(components: int, hysteresis: Hysteresis, name: str) -> None:
     if components == 2 and hysteresis == "GAP":
         raise UserError(
             Fault(
-                f"{name}: HYSTERESIS=GAP follows motion in one plane, as its source does: what "
-                "shape a gap has in two is not known. The model is spatial: "
-                "loads or supports share no plane, or SPATIAL asks for it",
-                "choose *MODEL HYSTERESIS=MASING, or give all loads one plane and leave SPATIAL out",
+                f"{name}: HYSTERESIS=GAP follows motion in one plane, as its source does, but the "
+                "model is spatial: loads or supports share no plane, or SPATIAL asks for it",
+                "choose *MODEL HYSTERESIS=MASING, which follows two planes; or give all loads one "
+                "plane, and leave SPATIAL out",
             )
         )

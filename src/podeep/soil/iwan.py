@@ -10,7 +10,7 @@ from .memory import Memory
 from .reaction import Reaction
 from .sliders import sliders
 
-_NOTHING = 1e-30  # m: least way, in the direction of the last one
+_NOTHING = 1e-200  # m: a way that is none, and has the direction of the last one
 _TOUCHING = 1e-12  # of the yield: so near to it a spring gives way
 _PARTS = 8  # of a way on which a curve falls, whose loss is added up part by part
 
@@ -51,7 +51,7 @@ def dragged(along: Array, across: Array, way: Array) -> Dragged:
     reach = np.sqrt(np.maximum(1.0 - across * across, 0.0))
     free = reach - along  # of the way, before the foot slides
     np.copyto(free, 0.0, where=free < _TOUCHING)
-    gives = way > free
+    gives = (way > free) | (free == 0.0)
     rest = np.where(gives, way - free, 0.0)
     first = across / (1.0 + reach)
     gone = np.expm1(-rest)
@@ -61,7 +61,8 @@ def dragged(along: Array, across: Array, way: Array) -> Dragged:
     # what the spring turns by with the way's direction: before the foot slides, and then
     before = np.divide(free, reach, out=np.zeros(free.shape), where=reach > 0.0)
     turned = before * (1.0 - across * sine) - (1.0 - before) * gone * (1.0 - first * last) * share
-    turn = np.where(gives, sine * sine + cosine * turned / way, 1.0)
+    turned = np.divide(turned, way, out=cosine.copy(), where=way > 0.0)
+    turn = np.where(gives, sine * sine + cosine * turned, 1.0)
     cosine, sine = np.where(gives, cosine, along + way), np.where(gives, sine, across)
     return Dragged(cosine, sine, gives, turn, rest, first, last)
 
@@ -97,19 +98,19 @@ class Iwan(Memory):
         self.limit = self.stiffness * self.yields
         self.work = self.limit * self.yields  # of a limit over a yield, J/m
         self.falls = softens(reaction)
-        self.u, self.heading = np.zeros((n, 2)), np.tile((1.0, 0.0), (n, 1))
+        self.u, self.heading = np.zeros((n, 2)), np.repeat(((1.0,), (0.0,)), n, axis=1)
         #: the springs over their yields, x and y, (2, m, n)
         self.elastic = np.zeros((2, *self.yields.shape))
         self.largest, self.ratio, self.lost = np.zeros(n), np.ones(n), np.zeros(n)
 
     def _moved(self, u: Array) -> tuple[Array, Array, Dragged]:
-        """Direction of the way to u, (n, 2), and the springs at its end, their x and y first."""
+        """Direction of the way to u, (2, n), and the springs at its end, their x and y first."""
         way = u - self.u
-        length = np.hypot(way[:, 0], way[:, 1])
-        size = np.maximum(length, _NOTHING)
-        heading = np.where((length > 0.0)[:, None], way / size[:, None], self.heading)
-        x, y = heading.T
-        ex, ey = self.elastic
+        size = np.hypot(way[:, 0], way[:, 1])
+        moves = size > _NOTHING
+        heading = np.divide(way.T, size, out=self.heading.copy(), where=moves)
+        size[~moves] = 0.0
+        (x, y), (ex, ey) = heading, self.elastic
         there = dragged(x * ex + y * ey, x * ey - y * ex, size / self.yields)
         elastic = np.empty(self.elastic.shape)
         np.subtract(x * there.along, y * there.across, out=elastic[0])

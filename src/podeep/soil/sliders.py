@@ -8,9 +8,11 @@ from ..arrays import Array, Index
 from ..errors import InvalidData
 from .reaction import Reaction
 
-TOLERANCE = 3e-4  # of the capacity: what straight lines may leave of a curve
-#: displacements at which curves are looked at, m; none comes so far as the last
-_GRID = np.geomspace(1e-11, 1e3, 241)
+TOLERANCE = 2.5e-4  # of the capacity: what straight lines may leave of a curve
+#: displacements at which curves are looked at, m
+_GRID = np.concatenate(
+    (np.geomspace(1e-11, 1e-6, 80, endpoint=False), np.geomspace(1e-6, 1e2, 273))
+)
 _ROUNDING = 1e-9  # of the capacity
 _FLAT = 1e-12  # of a slope: a change that is rounding
 
