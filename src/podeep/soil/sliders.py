@@ -89,6 +89,6 @@ def _corners(u: Array, share: Array) -> Index:
         off = np.abs(y - y[first] - part * (y[last] - y[first]))
         worst = np.flatnonzero((off > TOLERANCE) & (off == np.maximum.reduceat(off, begins)[line]))
         if not worst.size:
-            found = np.where(corner, row, count - 1).reshape(size, count)
-            return np.sort(found, axis=1).T[: corner.reshape(size, count).sum(axis=1).max()]
+            most = corner.reshape(size, count).sum(axis=1).max(initial=2)
+            return np.sort(np.where(corner, row, count - 1).reshape(size, count)).T[:most]
         corner[worst[np.unique(line[worst], return_index=True)[1]]] = True
