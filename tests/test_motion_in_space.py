@@ -103,7 +103,7 @@ def test_energy_is_balanced_round_and_round() -> None:
         after = motion.lateral
         moved = after.q - before.q
         felt = system.displacement(moved)
-        taken += system.weight @ (0.5 * (force + soil(after.q)) * felt).sum(axis=1)
+        taken += float(system.weight @ (0.5 * (force + soil(after.q)) * felt).sum(axis=1))
         damped += 0.5 * moving.damping_times(before.velocity + after.velocity) @ moved
     q, v = motion.lateral.q, motion.lateral.velocity
     kinetic, strain = 0.5 * v @ moving.mass_times(v), 0.5 * q @ bending @ q
@@ -123,6 +123,17 @@ def test_shorter_steps_change_little() -> None:
     errors = [float(np.abs(one - fine).max() / size) for one in (long, short)]
     assert errors == pytest.approx([7e-3, 2.7e-3], rel=0.1)
     assert float(np.abs(short - long).max() / size / 3.0) == pytest.approx(errors[1] / 2, rel=0.3)
+
+
+def test_a_step_taken_anew_is_the_same_to_the_last_bit() -> None:
+    motion = motion_of(led_round())
+    head(motion, 20)
+    stood = motion.standing()
+    first = head(motion, 3), motion.body.lateral.dissipated()
+    motion.stand(stood)
+    again = head(motion, 3), motion.body.lateral.dissipated()
+    assert (first[0] == again[0]).all()
+    assert first[1] == again[1]
 
 
 def test_records_in_space_as_in_one_plane(tmp_path: Path) -> None:
