@@ -10,7 +10,8 @@ from podeep.motion import Damping, Dynamics, Harmonic, Mass
 from podeep.scene import Foundation, Load, Numerics, Scene, Section, Steps, Tube
 from podeep.solve.dynamics import Motion
 from podeep.solve.integrators import Integrator
-from podeep.solve.plan import Begun, begun, simulation
+from podeep.solve.plan import simulation
+from podeep.solve.ready import Begun, begun
 from scenes import linear_ground, reference_pile
 
 EI, MASS = 1.2e9, 2500.0

@@ -87,7 +87,7 @@ def test_a_rod_bent_to_a_circle_by_end_moments_of_its_ends():
         stages.append(Stage(goal))
     *_, state = follow(system, state, stages, LIMITS)
     assert state.ending is Ending.CONVERGED
-    results = LineResults(system, [state])
+    results = LineResults.of(system, [state])
     s = np.linspace(0.0, length, 101)
     moment = results.moment(s)[0]
     np.testing.assert_allclose(moment, 2e3 * 0.5 * np.pi / length, rtol=1e-6)
@@ -114,7 +114,7 @@ def test_in_space_a_riser_is_what_it_is_in_its_plane():
     np.testing.assert_allclose(state.q.reshape(-1, 3)[:, 1], 0.0, atol=1e-9)
     np.testing.assert_allclose(state.q.reshape(-1, 3)[:, [0, 2]], flat.q.reshape(-1, 2), atol=1e-5)
     s = np.linspace(0.0, at["L_m"], 1001)
-    one, other = (LineResults(x, [y]).moment(s) for x, y in ((plane, flat), (space, state)))
+    one, other = (LineResults.of(x, [y]).moment(s) for x, y in ((plane, flat), (space, state)))
     np.testing.assert_allclose(other, np.abs(one), atol=1e-6 * np.abs(one).max())
 
 
@@ -173,7 +173,7 @@ def test_lumped_at_its_nodes_the_reaction_makes_a_staircase():
     errors = []
     for form in ("nodal", "integrated"):
         system, state = riser(at, 0.5, degree=5, form=form)
-        results = LineResults(system, [state])
+        results = LineResults.of(system, [state])
         moment = results.moment(np.array([at["S_td_m"]]))[0, 0]
         errors.append(abs(moment / at["M_td_Nm"] - 1.0))
     assert errors[0] > 0.01 > 20.0 * errors[1]

@@ -143,7 +143,7 @@ def test_05_risers_on_elements_of_half_the_bending_length(case, row):
     """Tension to 1e-6, moments to 4e-4 of the largest (asked: 1e-4 and 1e-3)."""
     system, state = riser(row, 0.5)
     assert state.ending is Ending.CONVERGED
-    results = LineResults(system, [state])
+    results = LineResults.of(system, [state])
     horizontal, vertical = state.forces[-2:]
     assert np.hypot(horizontal, vertical) == pytest.approx(row["T_top_N"], rel=1e-6)
     assert vertical == pytest.approx(row["V_top_N"], rel=1e-6)
@@ -173,7 +173,7 @@ def test_05_a_riser_whose_laid_part_has_slid():
     assert state.ending is Ending.CONVERGED
     assert np.hypot(*state.forces[-2:]) == pytest.approx(row["T_top_N"], rel=1e-5)
     assert -state.forces[0] == pytest.approx(row["H_anchor_end_N"], rel=0.02)  # elastic slip there
-    results = LineResults(system, [state])
+    results = LineResults.of(system, [state])
     assert results.touchdown()[0] == pytest.approx(row["S_td_m"], abs=0.02)
     s = np.linspace(0.0, 600.0, 6001)
     assert results.moment(s).max() == pytest.approx(row["M_max_Nm"], rel=1e-4)
@@ -188,7 +188,7 @@ def test_05_the_moment_has_an_order_of_two_at_least(degree):
     errors = []
     for share in (2.0, 1.0, 0.5):
         system, state = riser(row, share, degree=degree)
-        results = LineResults(system, [state])
+        results = LineResults.of(system, [state])
         s = results.touchdown()[0] + np.array([at["s_m"] for at in places])
         errors.append(np.abs(results.moment(s)[0] - told).max())
     assert np.log2(errors[0] / errors[2]) / 2.0 > 2.0
@@ -257,7 +257,7 @@ def test_08_a_pipe_over_a_free_span_lifts_off(row):
     )
     state = laid(system, straight(system), LIMITS)
     assert state.ending is Ending.CONVERGED
-    results = LineResults(system, [state])
+    results = LineResults.of(system, [state])
     edge, middle = np.array([half]), np.array([0.0])
     assert results.position(edge)[0, 0, 1] / scale == pytest.approx(at["y_edge_m"], rel=1e-4)
     assert results.position(middle)[0, 0, 1] / scale == pytest.approx(at["y_mid_m"], rel=1e-4)
@@ -313,5 +313,5 @@ def test_07_a_pipe_is_peeled_off(row):
     assert state.ending is Ending.CONVERGED
     assert state.forces[-1] / scale == pytest.approx(at["P_N"], rel=1e-3)
     s = np.linspace(0.0, length, 24001)
-    moment = LineResults(system, [state]).moment(s)[0] / scale
+    moment = LineResults.of(system, [state]).moment(s)[0] / scale
     assert np.abs(moment).max() == pytest.approx(at["Mmax_Nm"], rel=1e-3)

@@ -5,6 +5,7 @@ import numpy as np
 from .arrays import Array, Index
 from .database.grids import LineGrid
 from .line.analysis import SolvedLine
+from .line.assemble import Plane
 from .line.results import LineResults
 from .record import Sheet
 from .scene import Scene
@@ -14,15 +15,9 @@ _BETWEEN = 4  # distances of the grid in each element: what is stored is read in
 
 def line_sheet(scene: Scene, solved: SolvedLine) -> Sheet:
     """Evaluate every quantity of a line on a grid of its elements' parts."""
-    line, system = solved.line, solved.model.system
-    edges = system.field.edges
-    share = np.arange(_BETWEEN) / _BETWEEN
-    inside = edges[:-1, None] + np.diff(edges)[:, None] * share
-    distance = np.append(inside.ravel(), edges[-1])
-    contact = scene.seabed_under(line)
-    mudline = contact.mudline if contact is not None else _lowest(solved, distance)
-    grid = LineGrid(f"L{line.id}", distance, mudline)
-    values = {**line_values(solved, distance, mudline), **progress(solved)}
+    grid = line_grid(scene, solved)
+    results, plane = solved.results, solved.model.plane
+    values = {**line_values(results, results, plane, grid), **progress(solved)}
     steps: Index = np.arange(len(solved.states))
     if scene.steps.names:
         factors = np.array(scene.steps.factors).reshape(-1, len(scene.steps.names))
@@ -30,31 +25,37 @@ def line_sheet(scene: Scene, solved: SolvedLine) -> Sheet:
     return Sheet(grid, steps, {f"{grid.name}/{name}": value for name, value in values.items()})
 
 
+def line_grid(scene: Scene, solved: SolvedLine) -> LineGrid:
+    """Where values of a line stand: distances at parts of its elements."""
+    edges = solved.model.system.field.edges
+    share = np.arange(_BETWEEN) / _BETWEEN
+    inside = edges[:-1, None] + np.diff(edges)[:, None] * share
+    distance = np.append(inside.ravel(), edges[-1])
+    contact = scene.seabed_under(solved.line)
+    mudline = contact.mudline if contact is not None else _lowest(solved, distance)
+    return LineGrid(f"L{solved.line.id}", distance, mudline)
+
+
 def _lowest(solved: SolvedLine, s: Array) -> float:
     """Elevation of the lowest point as it was laid, where there is no seabed, m."""
     return float(solved.results.position(s)[0, :, -1].min())
 
 
-def line_values(solved: SolvedLine, s: Array, mudline: float) -> dict[str, Array]:
-    """What a database holds of a line at distances s, by the schema's names."""
-    results, plane = solved.results, solved.model.plane
+def line_values(
+    results: LineResults, laid: LineResults, plane: Plane, grid: LineGrid
+) -> dict[str, Array]:
+    """What a database holds of a line in some states, by the schema's names.
+
+    laid: results whose first state is that of the line as it was laid.
+    """
+    s, touchdown = grid.distance, results.touchdown()
     place = plane.outside(results.position(s))
-    along, across = _directions(results, solved, s)
-    moved = place - place[0]
-    reaction = plane_reaction(results, solved, s)
-    touchdown = results.touchdown()
-    at_touchdown = np.array(
-        [plane.outside(results.position(np.array([td])))[i, 0, 0] for i, td in enumerate(touchdown)]
-    )
     return {
-        "lateral_displacement": np.einsum("snc,nc->sn", moved, across),
-        "axial_displacement": np.einsum("snc,nc->sn", moved, along),
-        "lateral_force": np.einsum("snc,nc->sn", reaction, across),
-        "axial_force": np.einsum("snc,nc->sn", reaction, along),
-        "penetration": mudline - place[..., 2],
-        "normal_reaction": -reaction[..., 2],
+        **shown(results, laid, plane, grid),
         "touchdown_distance": touchdown,
-        "touchdown_x": at_touchdown,
+        "touchdown_x": np.array(
+            [np.interp(td, s, x) for td, x in zip(touchdown, place[..., 0], strict=True)]
+        ),
         "line/position_x": place[..., 0],
         "line/position_y": place[..., 1],
         "line/position_z": place[..., 2],
@@ -63,10 +64,28 @@ def line_values(solved: SolvedLine, s: Array, mudline: float) -> dict[str, Array
     }
 
 
-def _directions(results: LineResults, solved: SolvedLine, s: Array) -> tuple[Array, Array]:
+def shown(
+    results: LineResults, laid: LineResults, plane: Plane, grid: LineGrid
+) -> dict[str, Array]:
+    """The quantities of a line that have an envelope; see `line_values`."""
+    s = grid.distance
+    place = plane.outside(results.position(s))
+    along, across = _directions(laid, plane, s)
+    moved = place - plane.outside(laid.position(s)[0])
+    reaction = plane_reaction(results, plane, s)
+    return {
+        "lateral_displacement": np.einsum("snc,nc->sn", moved, across),
+        "axial_displacement": np.einsum("snc,nc->sn", moved, along),
+        "lateral_force": np.einsum("snc,nc->sn", reaction, across),
+        "axial_force": np.einsum("snc,nc->sn", reaction, along),
+        "penetration": grid.mudline - place[..., 2],
+        "normal_reaction": -reaction[..., 2],
+    }
+
+
+def _directions(laid: LineResults, plane: Plane, s: Array) -> tuple[Array, Array]:
     """Unit vectors along the line as it was laid, and horizontally to its left, (n, 3)."""
-    plane = solved.model.plane
-    slope = results.position(s, 1)[0]
+    slope = laid.position(s, 1)[0]
     along = np.concatenate([slope[:, :-1] @ plane.axes, slope[:, -1:]], axis=1)
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     flat = np.hypot(along[:, 0], along[:, 1])
@@ -76,9 +95,9 @@ def _directions(results: LineResults, solved: SolvedLine, s: Array) -> tuple[Arr
     return along, across
 
 
-def plane_reaction(results: LineResults, solved: SolvedLine, s: Array) -> Array:
+def plane_reaction(results: LineResults, plane: Plane, s: Array) -> Array:
     """What the seabed resists with at distances s, global components, (steps, n, 3), N/m."""
-    plane, reaction = solved.model.plane, results.reaction(s)
+    reaction = results.reaction(s)
     flat = reaction[..., :-1] @ plane.axes
     return np.concatenate([flat, reaction[..., -1:]], axis=-1)
 

@@ -20,7 +20,7 @@ class LineSection(Wall):
     """A stretch of a line, unstretched length in m; overrides replace what the geometry gives.
 
     elements: how many it is cut into; None leaves it to the accuracy. fill_density: of the
-    contents, kg/m3.
+    contents, kg/m3. added_mass_coefficient, drag_coefficient: of water across the line.
     """
 
     length: float
@@ -33,6 +33,7 @@ class LineSection(Wall):
     axial_stiffness_override: float | None = None
     mass_override: float | None = None
     added_mass_coefficient: float = 1.0
+    drag_coefficient: float = 0.0
     fill_density: float = 0.0
 
     def __post_init__(self) -> None:

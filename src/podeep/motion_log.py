@@ -10,8 +10,7 @@ from .arrays import Array, Index
 from .database.stream import uninterrupted
 from .database.write import Writer
 from .errors import Fault, UserError
-from .model.moved import Moved
-from .motion_record import Ledger
+from .motion_record import Book
 from .scene import Dynamics
 from .solve.dynamics import End
 from .solve.resume import resume, state_of
@@ -20,6 +19,7 @@ from .solve.simulate import BLOCK, Block, Simulation
 RECORDS = 1000  # that a run has by default, at most
 _ESTIMATES = ("estimate/displacement", "estimate/reaction", "estimate/moment")
 
+_Three = tuple[Array, Array, Array]
 Progress = Callable[[str], None]
 
 
@@ -35,11 +35,10 @@ class Errors:
     sizes: Array = field(default_factory=lambda: np.zeros(3))
     apart: Array = field(default_factory=lambda: np.zeros(3))
 
-    def widen(self, ours: Moved, twin: Moved, x: Array) -> Array:
+    def widen(self, ours: _Three, twin: _Three) -> Array:
         """Errors of displacement, reaction and moment up to each row, shape (3, rows)."""
-        sizes, apart = np.zeros((2, 3, len(ours.lateral)))
-        pairs = zip(_largest_of(ours, x), _largest_of(twin, x), strict=True)
-        for kind, (one, other) in enumerate(pairs):
+        sizes, apart = np.zeros((2, 3, len(ours[0])))
+        for kind, (one, other) in enumerate(zip(ours, twin, strict=True)):
             sizes[kind], apart[kind] = _sizes(one), _sizes(one - other if kind == 0 else other)
         sizes = np.maximum.accumulate(np.maximum(sizes, self.sizes[:, None]), axis=1)
         apart = np.maximum.accumulate(np.maximum(apart, self.apart[:, None]), axis=1)
@@ -52,12 +51,6 @@ class Errors:
 def _sizes(values: Array) -> Array:
     """Largest magnitude in each row."""
     return np.asarray(np.abs(values).reshape(len(values), -1).max(axis=1, initial=0.0))
-
-
-def _largest_of(results: Moved, x: Array) -> tuple[Array, Array, Array]:
-    """Deflection, reaction and moment of all tubes at depths, each (rows, ...)."""
-    moment = results.of_all(lambda at, tube: results.shear_and_moment(at, tube)[1], x)
-    return results.deflection(x), results.lateral_reaction(x[x >= 0.0]), moment
 
 
 def part_of(state: Mapping[str, Array], name: str, count: int) -> Array:
@@ -91,16 +84,16 @@ class Log:
         self,
         one: Simulation,
         dynamics: Dynamics,
-        ledgers: Sequence[Ledger],
+        books: Sequence[Book],
         chosen: Mapping[str, Array],
         tell: Progress,
     ) -> None:
-        self.simulation, self.ledgers, self.chosen, self.tell = one, ledgers, chosen, tell
+        self.simulation, self.books, self.chosen, self.tell = one, books, chosen, tell
         one.record_each(dynamics.recording or (dynamics.end - dynamics.start) / RECORDS)
         self.end = dynamics.end
-        self.errors = [Errors(one.method.order) for _ in ledgers]
+        self.errors = [Errors(one.order) for _ in books]
         self.records = self.iterations = 0
-        self._last = np.zeros((len(ledgers), 3))
+        self._last = np.zeros((len(books), 3))
 
     @property
     def state(self) -> dict[str, Array]:
@@ -153,7 +146,7 @@ class Log:
         values: dict[str, Array] = {}
         extremes: dict[str, Array] = {}
         count = len(rows)
-        for place, (book, tracks) in enumerate(zip(self.ledgers, block.tracks, strict=True)):
+        for place, (book, tracks) in enumerate(zip(self.books, block.tracks, strict=True)):
             every = book.extremes(tracks)
             extremes |= {f"{book.name}/{name}": value for name, value in every.items()}
             if not count:
@@ -179,10 +172,10 @@ class Log:
         found = np.repeat(self._last[place][:, None], len(rows), axis=1)
         both = np.flatnonzero(block.together[rows])
         if block.twins and len(both):
-            book = self.ledgers[place]
-            ours = book.results(block.tracks[place], rows[both])
-            twin = book.results(block.twins[place], rows[both])
-            errors = self.errors[place].widen(ours, twin, book.at.grid.depth)
+            book = self.books[place]
+            ours = book.largest(block.tracks[place], rows[both])
+            twin = book.largest(block.twins[place], rows[both])
+            errors = self.errors[place].widen(ours, twin)
             found[:, both] = errors
             found = np.maximum.accumulate(found, axis=1)
             self._last[place] = found[:, -1]

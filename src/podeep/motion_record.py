@@ -1,10 +1,12 @@
 """From foundations in motion to the rows of a dynamic database."""
 
 from dataclasses import dataclass, replace
+from typing import Protocol
 
 import numpy as np
 
 from .arrays import Array, Index
+from .database.grids import Grid, LineGrid
 from .model.assemble import Model, assemble
 from .model.inertia import Inertia, inertia
 from .model.moved import Moved, Viscosity, Way
@@ -12,16 +14,37 @@ from .model.results import Results
 from .record import Places, all_values, places, soil_values
 from .scene import Scene
 from .solve.body import Body
-from .solve.plan import Begun
+from .solve.ready import Begun
 from .solve.simulate import Track, Tracks
 from .subject import FOUNDATION
 
 _SHOWN = {0: True, 1: False}  # rules of the ground: what the soil resists in statics is shown too
 
 
+class Book(Protocol):
+    """What turns tracks of a foundation or a line into the values of a database."""
+
+    @property
+    def name(self) -> str:
+        """Of its group in the database."""
+
+    @property
+    def grid(self) -> Grid | LineGrid:
+        """Where its values stand."""
+
+    def largest(self, tracks: Tracks, rows: Index) -> tuple[Array, Array, Array]:
+        """Displacement, reaction and moment in some rows, (rows, ...), which errors are told of."""
+
+    def all(self, tracks: Tracks, rows: Index) -> dict[str, Array]:
+        """Every value of the soil and what stands in it in some rows, by the schema's names."""
+
+    def extremes(self, tracks: Tracks) -> dict[str, Array]:
+        """In all rows, what has an envelope."""
+
+
 @dataclass(frozen=True, eq=False)
 class Ledger:
-    """What turns tracks of one foundation into values.
+    """The `Book` of a foundation.
 
     model: in motion, with the normal force on slopes where it counts. still: the end of statics,
     None where the soil's motion counts from rest.
@@ -57,12 +80,21 @@ class Ledger:
             *(self.inertia, self.viscosity, self.still, self.shown),
         )
 
+    @property
+    def grid(self) -> Grid:
+        """Where its values stand."""
+        return self.at.grid
+
+    def largest(self, tracks: Tracks, rows: Index) -> tuple[Array, Array, Array]:
+        """As `Book.largest`, of all tubes."""
+        results, x = self.results(tracks, rows), self.at.grid.depth
+        moment = results.of_all(lambda at, tube: results.shear_and_moment(at, tube)[1], x)
+        return results.deflection(x), results.lateral_reaction(x[x >= 0.0]), moment
+
     def all(self, tracks: Tracks, rows: Index) -> dict[str, Array]:
-        """Every value of the soil and the tubes in some rows, by the schema's names."""
         return all_values(self.results(tracks, rows), self.at)
 
     def extremes(self, tracks: Tracks) -> dict[str, Array]:
-        """In all rows, what has an envelope."""
         grid = self.at.grid
         found = soil_values(self.results(tracks, slice(None)), grid.depth, grid.lateral_axis)
         return {name: found[name] for name in FOUNDATION.quantities}

@@ -184,6 +184,7 @@ def run_deck(
             deck,
             scene,
             moved,
+            laid=lines,
             force=force,
             history=f"{command}\n{command} --resume" if resume else command,
             tell=progress,
@@ -196,9 +197,9 @@ def run_deck(
 
 
 def check_lines(scene: Scene) -> None:
-    """Raises UserError for what is not solved of lines yet: motion in time, ends that turn."""
+    """Raises UserError for what is not solved of lines yet: ends that turn."""
     for one in scene.line_motions:
-        if one.dof not in TRANSLATIONS and one.target:
+        if one.dof not in TRANSLATIONS and (one.target or one.moves_in_time):
             raise UserError(
                 Fault(
                     f"line {one.line}: *MOTION turns end {one.end} about {one.dof[1:]}; this "
@@ -206,14 +207,6 @@ def check_lines(scene: Scene) -> None:
                     f"leave {one.dof} out, or give the direction in *END (DX=, DY=, DZ=)",
                 )
             )
-    if scene.dynamics is not None and scene.lines:
-        raise UserError(
-            Fault(
-                "the deck has *DYNAMIC and a *LINE: motion of lines in time is not followed by "
-                "this version, their statics are",
-                "leave *DYNAMIC out, or take *LINE out",
-            )
-        )
 
 
 def check_resumes(deck: Deck) -> None:

@@ -1,6 +1,6 @@
 """The dynamic part of a run: foundations set in motion, followed, and written as they go."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -11,14 +11,17 @@ from .arrays import Array
 from .database.write import Writer
 from .deck.read import Deck
 from .errors import Fault, Interrupted, UserError
+from .line.analysis import SolvedLine
+from .line.motion import line_ready
+from .line_motion_record import line_book
 from .model.needs import needs
 from .model.remember import check_plane
 from .motion_log import Log, Progress, part_of
-from .motion_record import ledger
+from .motion_record import Book, ledger
 from .resume import Options
 from .scene import Scene
 from .solve.pace import finer, pace_for, paced
-from .solve.plan import begun
+from .solve.ready import Ready, begun
 
 RESTARTS = 3
 
@@ -100,6 +103,7 @@ def run_motion(
     scene: Scene,
     target: Path,
     *,
+    laid: Sequence[SolvedLine],
     force: bool,
     history: str,
     tell: Progress,
@@ -109,15 +113,18 @@ def run_motion(
 ) -> MotionRun:
     """Follow a scene's motion and write it as it goes.
 
-    tell: takes a line of progress. options, state: those of a run that was interrupted, to go on
-    from there. again: the command that would go on. A step that the accuracy has chosen starts anew
-    at half its size where its error turns out too large. Raises AnalysisFailed where statics has no
-    equilibrium, Interrupted where the user ends it: the partial then holds what there is.
+    laid: lines, solved to the end of statics. tell: takes a line of progress. options, state:
+    those of a run that was interrupted, to go on from there. again: the command that would go on.
+    A step that the accuracy has chosen starts anew at half its size where its error turns out too
+    large. Raises AnalysisFailed where statics has no equilibrium, Interrupted where the user ends
+    it: the partial then holds what there is.
     """
     dynamics = scene.dynamics
     assert dynamics is not None
     tell("statics, and the step in time")
-    start = [begun(scene, foundation) for foundation in scene.foundations]
+    piles = [begun(scene, foundation) for foundation in scene.foundations]
+    lines = [line_ready(scene, solved) for solved in laid]
+    start: list[Ready] = [*piles, *lines]
     if state is None:
         pace, first = pace_for(scene, dynamics, start), 0.0
     else:
@@ -127,9 +134,10 @@ def run_motion(
         one = paced(scene, dynamics, start, pace, whole)
         given = dynamics.step is not None and not dynamics.adaptive
         patient = given or restarts == RESTARTS
-        ledgers = [ledger(scene, b, m.body) for b, m in zip(start, one.motions, strict=True)]
+        books: list[Book] = [ledger(scene, pile, pile.body(scene)) for pile in piles]
+        books += [line_book(scene, line) for line in lines]
         chosen = {"pace": np.array([pace, restarts]), **options.state}
-        log = Log(one, dynamics, ledgers, chosen, tell)
+        log = Log(one, dynamics, books, chosen, tell)
         if state is not None:
             log.resume(state)
         writer = Writer(
@@ -137,7 +145,7 @@ def run_motion(
             kind="dynamic",
             title=scene.title,
             deck_text=deck.text,
-            grids=[book.at.grid for book in ledgers],
+            grids=[book.grid for book in books],
             loads=(),
             history=history,
             force=force,
@@ -151,7 +159,7 @@ def run_motion(
         try:
             with writer:
                 if not log.follow(writer, None if patient else scene.numerics.accuracy):
-                    pace = finer(dynamics, pace, one.method.order)
+                    pace = finer(dynamics, pace, one.order)
                     continue
                 failure = log.failure()
                 writer.finish("stopped" if failure else "complete", failure)
@@ -169,7 +177,6 @@ def run_motion(
             log.iterations,
             one.error,
         )
-        moving = [p for m in one.motions for p in (m.body.lateral, m.body.axial) if p is not None]
-        lost = sum(problem.dissipated() for problem in moving)
+        lost = sum(motion.dissipated() for motion in one.motions)
         return MotionRun(target, *counted, scene.numerics.accuracy, lost, failure)
     raise RuntimeError("unreachable")

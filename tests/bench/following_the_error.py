@@ -26,7 +26,8 @@ from moving_piles import start_of, swaying_pile
 from podeep.motion import Hysteresis, TimeSeries
 from podeep.scene import Scene
 from podeep.solve.pace import pace_for, paced
-from podeep.solve.plan import Begun, simulation
+from podeep.solve.plan import simulation
+from podeep.solve.ready import Begun
 from podeep.solve.simulate import Simulation
 
 ACCURACIES = (1e-2, 1e-3, 1e-4)

@@ -74,6 +74,15 @@ LINE = Keyword(
                     default=1.0,
                 ),
                 Column(
+                    "CD",
+                    "drag coefficient across the line, in water at rest",
+                    "-",
+                    Bounds(0.0, 1e6),
+                    "drag_coefficient",
+                    named=True,
+                    default=0.0,
+                ),
+                Column(
                     "FILL",
                     "density of the contents",
                     "kg/m3",

@@ -44,7 +44,7 @@ class SolvedLine:
     @property
     def results(self) -> LineResults:
         """Of the states that are equilibria."""
-        return LineResults(self.model.system, self.states)
+        return LineResults.of(self.model.system, self.states)
 
     @property
     def accurate(self) -> bool:
@@ -128,7 +128,7 @@ def _apart(rough: _Found, fine: _Found) -> Array:
     n = min(len(rough[1]), len(fine[1]))
     if not n:
         return np.ones(4)
-    one, other = (LineResults(model.system, states[:n]) for model, states, _ in (rough, fine))
+    one, other = (LineResults.of(model.system, states[:n]) for model, states, _ in (rough, fine))
     s = np.linspace(0.0, fine[0].system.unstretched_length, _PLACES + 1)
     place, held, pulled, bent = (
         (value(one, s), value(other, s))

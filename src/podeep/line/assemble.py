@@ -21,7 +21,6 @@ from ..seabed.models import MODELS
 from ..seabed.normal import OneSided, Winkler
 from ..seabed.pull_out import Wear, pull_out_of
 from ..seabed.suction import Suction
-from ..soil.memory import Backbone
 from .bed import Bed, contact_points
 from .catenary import shape
 from .equations import Clamp, LineSystem, Sections
@@ -238,7 +237,7 @@ def bed_of(scene: Scene, line: Line, contact: SeabedContact, field: Field, m: in
     places = contact_points(field, contact.form)
     count = len(places[0])
     diameter = np.array([section.outer_diameter for section in section_at(line, places[0])])
-    normal: Backbone
+    normal: Winkler | OneSided | Suction
     if contact.stiffness is not None:
         normal, stiffness = Winkler(contact.stiffness, contact.tolerance), contact.stiffness
     else:

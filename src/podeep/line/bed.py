@@ -2,19 +2,29 @@
 
 Points are the Gauss points of the elements (the reaction is integrated along them), or their ends,
 each with the length of line that belongs to it (concentrated at the nodes, as DeepLines has it).
+
+In statics the seabed is asked at an end of the way since the last commit; in a step of time it is
+asked for the mean of its forces on that way, which gives back what it has stored and no more.
 """
+
+from collections.abc import Mapping
 
 import numpy as np
 
 from ..arrays import Array
-from ..beam.band import band_place, pairs, scatter
+from ..beam.band import band_place, bandwidth, pairs, scatter
 from ..beam.field import Field
 from ..beam.shapes import gauss_points
 from ..scene import Form
 from ..seabed.friction import Friction
-from ..soil.memory import Backbone, Memory
+from ..seabed.normal import OneSided, Winkler, mean_force
+from ..seabed.suction import Suction
+from ..soil.memory import Kept, nested, unnested
 
 _POINTS = 4  # more than the degree: the reaction has a corner where a line touches down
+_ORDER = ["einsum_path", (0, 1), (0, 1)]  # of products: the points are summed up last
+#: places on the way of a step where what has a memory is asked, and their shares of the mean
+_SHARES = tuple((0.5 + 0.5 * xi, 0.5 * weight) for xi, weight in zip(*gauss_points(3), strict=True))
 
 
 def contact_points(field: Field, form: Form) -> tuple[Array, Array]:
@@ -47,66 +57,110 @@ class Bed:
         field: Field,
         components: int,
         places: tuple[Array, Array],
-        normal: Backbone,
+        normal: Winkler | OneSided | Suction,
         friction: Friction | None = None,
         level: float = 0.0,
     ) -> None:
         (self.s, self.weight), self.level = places, level
         self.normal, self.friction, self.components = normal, friction, components
-        rows = field.interpolation(self.s, 0)
-        slopes = field.interpolation(self.s, 1)
-        self._shares, self._slopes = rows.shares, slopes.shares
+        values, slopes = (field.interpolation(self.s, derivative) for derivative in (0, 1))
         m = components
-        self._dofs = rows.dofs[:, :, None] * m + np.arange(m)
+        # points of an element stand together: they feel the same unknowns
+        together = len(self.s) // len(field.lengths) if len(self.s) > len(field.edges) else 1
+        shape = (-1, together, values.dofs.shape[1])
+        self._shares, self._slopes = values.shares.reshape(shape), slopes.shares.reshape(shape)
+        self._dofs = values.dofs[::together, :, None] * m + np.arange(m)
         self.size = field.size * m
-        flat = self._dofs.reshape(len(self.s), -1)
-        self._pairs = pairs(flat)
+        flat = self._dofs.reshape(len(self._dofs), -1)
+        i, j, rows, columns = pairs(flat)
+        self._pairs, self._places = (i, j), band_place(rows, columns, bandwidth(flat))
         self.pressing = np.zeros(len(self.s))
         self._begun: Array | None = None
         self._along: Array = np.zeros((len(self.s), m - 1))
 
     def places(self, q: Array) -> Array:
         """Positions of the points, (n, m)."""
-        return np.asarray(np.einsum("nl,nlm->nm", self._shares, q[self._dofs]))
+        return self._values(self._shares, q)
+
+    def _values(self, shares: Array, q: Array) -> Array:
+        """What shares of the unknowns make at the points, (n, m)."""
+        return np.asarray(np.matmul(shares, q[self._dofs]).reshape(-1, self.components))
 
     def penetration(self, q: Array) -> Array:
         """Of the points, m."""
         return self.level - self.places(q)[:, -1]
 
     def internal(self, q: Array) -> Array:
-        """What the seabed resists with, (size,), N."""
+        """What the seabed resists with at q, (size,), N."""
         place = self.places(q)
         normal, self._stiffness = self.normal.evaluate(self.level - place[:, -1])
-        force = np.zeros_like(place)
-        force[:, -1] = -normal
-        self._dragged = np.zeros((len(self.s), self.components - 1, self.components - 1))
+        self._start(place, normal)
         if self.friction is not None and self._begun is not None:
             traction = self.friction.evaluate(self._slip(place), self.pressing)
-            turn = self._turn
-            force[:, :-1] = np.einsum("nd,ndi->ni", traction.force, turn)
-            self._dragged = np.einsum("nde,ndi,nej->nij", traction.by_slip, turn, turn)
-        self.reaction = force
-        own = self._shares[:, :, None] * (self.weight[:, None] * force)[:, None, :]
-        return scatter(self._dofs, own, self.size)
+            self._drag(traction.force, traction.by_slip)
+        return self._spread()
+
+    def mean(self, q: Array) -> Array:
+        """Mean of what the seabed resists with on the way from the last commit to q, (size,), N.
+
+        `stiffen` takes its derivatives to q. Friction is that under the normal force of its moment.
+        """
+        assert self._begun is not None
+        place = self.places(q)
+        start, end = self.level - self._begun[:, -1], self.level - place[:, -1]
+        asked = []
+        if isinstance(self.normal, Suction) or self.friction is not None:
+            asked = [
+                (share, weight, *self.normal.evaluate(start + share * (end - start)))
+                for share, weight in _SHARES
+            ]
+        if isinstance(self.normal, Suction):
+            normal = sum(weight * force for _, weight, force, _ in asked)
+            self._stiffness = sum(weight * share * slope for share, weight, _, slope in asked)
+        else:
+            normal, self._stiffness = mean_force(self.normal, start, end)
+        self._start(place, normal)
+        if self.friction is not None:
+            slip = self._slip(place)
+            for share, weight, pressed, _ in asked:
+                traction = self.friction.evaluate(share * slip, pressed)
+                self._drag(weight * traction.force, weight * share * traction.by_slip)
+        return self._spread()
+
+    def _start(self, place: Array, normal: Array) -> None:
+        """The normal reaction, without friction as yet."""
+        flat = self.components - 1
+        self.reaction = np.zeros_like(place)
+        self.reaction[:, -1] = -normal
+        self._dragged = np.zeros((len(self.s), flat, flat))
+
+    def _drag(self, force: Array, by_slip: Array) -> None:
+        """Add friction, (n, 2), and its derivative, (n, 2, 2), along and across the line."""
+        turn = self._turn
+        self.reaction[:, :-1] += np.einsum("nd,ndi->ni", force, turn)
+        self._dragged += np.einsum("nde,ndi,nej->nij", by_slip, turn, turn)
+
+    def _spread(self) -> Array:
+        """The reaction as forces on the unknowns, (size,), N."""
+        force = (self.weight[:, None] * self.reaction).reshape(*self._shares.shape[:2], -1)
+        return scatter(self._dofs, np.matmul(np.swapaxes(self._shares, 1, 2), force), self.size)
 
     def stiffen(self, band: Array) -> None:
         """Add the tangent at the last `internal` to a lower band, (width, size)."""
-        m, width = self.components, band.shape[0]
-        acts = np.flatnonzero((self._stiffness != 0.0) | self._dragged.any(axis=(1, 2)))
+        m, (groups, together, local) = self.components, self._shares.shape
+        matrix = np.zeros((len(self.s), m, m))
+        matrix[:, -1, -1] = self._stiffness
+        matrix[:, :-1, :-1] = 0.5 * (self._dragged + np.swapaxes(self._dragged, 1, 2))
+        matrix *= self.weight[:, None, None]
+        each = matrix.reshape(groups, together, m, m)
+        acts = np.flatnonzero(each.any(axis=(1, 2, 3)))
         if not len(acts):  # most of a line hangs
             return
-        matrix = np.zeros((len(acts), m, m))
-        matrix[:, -1, -1] = self._stiffness[acts]
-        dragged = self._dragged[acts]
-        matrix[:, :-1, :-1] += 0.5 * (dragged + np.swapaxes(dragged, 1, 2))
-        matrix *= self.weight[acts, None, None]
         shares = self._shares[acts]
-        own = np.einsum("nl,nij,nk->nlikj", shares, matrix, shares, optimize=True)
-        count = shares.shape[1] * m
-        i, j, rows, columns = self._pairs
-        entries = own.reshape(len(acts), count, count)[:, i, j]
-        place = band_place(rows[acts], columns[acts], width)
-        band += scatter(place, entries, band.size).reshape(band.shape, order="F")
+        own = np.einsum("enl,enij,enk->elikj", shares, each[acts], shares, optimize=_ORDER)
+        i, j = self._pairs
+        entries = own.reshape(len(acts), local * m, local * m)[:, i, j]
+        band += scatter(self._places[acts], entries, band.size).reshape(band.shape, order="F")
 
     @property
     def total(self) -> float:
@@ -136,19 +190,60 @@ class Bed:
     def _slip(self, place: Array) -> Array:
         """Axial and lateral way since the last commit, (n, 2), m."""
         assert self._begun is not None
-        return np.asarray(np.einsum("ni,ndi->nd", place[:, :-1] - self._begun, self._turn))
+        return np.asarray(np.einsum("ni,ndi->nd", (place - self._begun)[:, :-1], self._turn))
 
-    def commit(self, q: Array) -> None:
-        """The line has come to q: anchors follow, and directions are those of the line there."""
+    def commit(self, q: Array, time: float = 0.0) -> None:
+        """The line has come to q: anchors follow, and directions are those of the line there.
+
+        time: that it took, s; 0 in statics. Then friction is that under the normal force of q.
+        """
         place = self.places(q)
         if self.friction is not None:
+            if time > 0.0:
+                self.pressing = np.maximum(self.normal.evaluate(self.level - place[:, -1])[0], 0.0)
             slip = np.zeros((len(self.s), 2)) if self._begun is None else self._slip(place)
             self.friction.commit(slip, self.pressing)
-        if isinstance(self.normal, Memory):
-            self.normal.commit(self.level - place[:, -1])
-        slope = np.einsum("nl,nlm->nm", self._slopes, q[self._dofs])[:, :-1]
+        if isinstance(self.normal, Suction):
+            self.normal.commit(self.level - place[:, -1], time)
+        self._stand(q, place)
+
+    def _stand(self, q: Array, place: Array) -> None:
+        """The next way begins at q."""
+        slope = self._values(self._slopes, q)[:, :-1]
         size = np.linalg.norm(slope, axis=1, keepdims=True)
         upright = np.zeros_like(slope)
         upright[:, 0] = 1.0
         self._along = np.where(size > 1e-9, slope / np.maximum(size, 1e-9), upright)
-        self._begun = place[:, :-1].copy()
+        self._begun = place
+
+    def standing(self) -> Array:
+        """What it resists with where the last `commit` has left it, (points, components), N/m."""
+        assert self._begun is not None
+        self._start(self._begun, self.normal.evaluate(self.level - self._begun[:, -1])[0])
+        if self.friction is not None:
+            self._drag(self.friction.force, np.zeros((len(self.s), 2, 2)))
+        return self.reaction
+
+    def state(self) -> dict[str, Array]:
+        """All that the way has left, as copies."""
+        found = {"pressing": self.pressing.copy()}
+        for name, part in {"normal": self.normal, "friction": self.friction}.items():
+            if isinstance(part, Kept):
+                found |= nested(name, part)
+        return found
+
+    def restore(self, state: Mapping[str, Array], q: Array) -> None:
+        """Go back to a `state`, which was that of the unknowns q."""
+        self.pressing = np.array(state["pressing"])
+        for name, part in {"normal": self.normal, "friction": self.friction}.items():
+            if isinstance(part, Kept):
+                part.restore(unnested(name, state))
+        self._stand(q, self.places(q))
+
+    @property
+    def dissipated(self) -> float:
+        """What the seabed has lost so far, J."""
+        lost = 0.0 if self.friction is None else float(self.weight @ self.friction.dissipated)
+        if isinstance(self.normal, Suction):
+            lost += float(self.weight @ self.normal.dissipated)
+        return lost

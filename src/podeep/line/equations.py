@@ -19,6 +19,7 @@ from .bed import Bed
 from .rod import strained
 
 _FAR = 10.0  # times its length: how far from the origin a line may be
+_ORDER = ["einsum_path", (0, 1), (0, 1)]  # of products: the points are summed up last
 _SHIFTS = (1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4)  # of the diagonal, where the tangent has to be raised
 
 
@@ -76,71 +77,101 @@ class LineSystem:
         m = components
         elements = len(field.lengths)
         xi, weight = gauss_points(field.degree)
-        self._weight = (0.5 * field.lengths[:, None] * weight).ravel()
+        #: length that belongs to each Gauss point, m
+        self.weight: Array = (0.5 * field.lengths[:, None] * weight).ravel()
         s = (field.tops[:, None] + 0.5 * field.lengths[:, None] * (xi + 1.0)).ravel()
         at = (elements, field.degree, field.local)
-        value, self._slope, self._bend = (
-            field.interpolation(s, d).shares.reshape(at) for d in range(3)
-        )
-        points = np.repeat(np.arange(elements), field.degree)
-        self._axial, self._bending = sections.axial[points], sections.bending[points]
+        #: of r, r' and r''
+        self._shapes = [field.interpolation(s, d).shares.reshape(at) for d in range(3)]
+        #: element of each Gauss point; EA and EI there, N and N m2
+        self.element: Index = np.repeat(np.arange(elements), field.degree)
+        self.axial: Array = sections.axial[self.element]
+        self.bending: Array = sections.bending[self.element]
         self._dofs = (field.dofs[:, :, None] * m + np.arange(m)).reshape(elements, -1)
         self.width = bandwidth(self._dofs)
         i, j, rows, columns = pairs(self._dofs)
         self._pairs, self._places = (i, j), band_place(rows, columns, self.width)
-        self.load = self._dead(value)
+        weighs = np.zeros((len(self.element), 1, m))
+        weighs[:, 0, -1] = -sections.weight[self.element]
+        self.load = self.forces(weighs, 0)
 
-    def _dead(self, value: Array) -> Array:
-        """Forces of the weight, (size,)."""
-        weight = self._weight.reshape(len(self._dofs), -1) * self.sections.weight[:, None]
-        total = np.zeros((self.field.size, self.components))
-        np.subtract.at(total[:, -1], self.field.dofs, np.einsum("enl,en->el", value, weight))
-        return total.ravel()
+    def curve(self, q: Array) -> tuple[Array, Array]:
+        """r' and r'' at the Gauss points of the elements, (n, components) each."""
+        r = q[self._dofs].reshape(len(self._dofs), -1, self.components)
+        first, second = (np.matmul(s, r).reshape(-1, self.components) for s in self._shapes[1:])
+        return first, second
+
+    def at_points(self, x: Array) -> Array:
+        """Values of a field of unknowns x at the Gauss points of the elements, (n, components)."""
+        r = x[self._dofs].reshape(len(self._dofs), -1, self.components)
+        return np.asarray(np.matmul(self._shapes[0], r).reshape(-1, self.components))
+
+    def forces(self, densities: Array, first: int = 1) -> Array:
+        """Forces per length on r, r' and r'', from derivative `first` on, (n, any, m), on unknowns.
+
+        Returns shape (size,), N.
+        """
+        count, m = len(self._dofs), self.components
+        force = (densities * self.weight[:, None, None]).reshape(count, -1, densities.shape[1], m)
+        own = sum(
+            np.einsum("enl,enm->elm", self._shapes[first + d], force[:, :, d])
+            for d in range(densities.shape[1])
+        )
+        return scatter(self._dofs, np.asarray(own), self.size)
+
+    def band(self, densities: Array, first: int = 1) -> Array:
+        """Symmetric derivatives of `forces`, (n, any, m, any, m), as a lower band (width, size)."""
+        m, (count, local), parts = self.components, self.field.dofs.shape, densities.shape[1]
+        matrix = densities * self.weight[:, None, None, None, None]
+        matrix = matrix.reshape(count, -1, parts, m, parts, m)
+        functions = self._shapes[first : first + parts]
+        whole = np.zeros((count, local, m, local, m))
+        for one, left in enumerate(functions):
+            for other, right in enumerate(functions):
+                part = matrix[:, :, one, :, other]
+                whole += np.einsum("enl,enij,enk->elikj", left, part, right, optimize=_ORDER)
+        i, j = self._pairs
+        entries = whole.reshape(count, local * m, local * m)[:, i, j]
+        flat = scatter(self._places, entries, self.width * self.size)
+        return np.asarray(flat.reshape((self.width, self.size), order="F"))
+
+    def clamped(self, q: Array) -> Array:
+        """What holds directions, (size,)."""
+        total = np.zeros(self.size)
+        for clamp in self.clamps:
+            total[clamp.unknowns] += clamp.matrix @ q[clamp.unknowns]
+        return total
+
+    def clamp(self, band: Array, share: float = 1.0) -> None:
+        """Add a share of the stiffness of what holds directions to a lower band."""
+        for clamp in self.clamps:
+            for column, unknown in enumerate(clamp.unknowns):
+                below = clamp.unknowns[column:]
+                band[below - unknown, unknown] += share * clamp.matrix[column:, column]
 
     def internal(self, q: Array) -> Array:
         """Internal forces and what the seabed resists at q, (size,)."""
-        m, count = self.components, len(self._dofs)
-        r = q[self._dofs].reshape(count, -1, m)
-        a, b = (np.matmul(s, r).reshape(-1, m) for s in (self._slope, self._bend))
-        self._strained = strained(a, b, self._axial, self._bending)
-        force = (self._strained.gradient * self._weight[:, None, None]).reshape(count, -1, 2, m)
-        own = np.einsum("enl,enm->elm", self._slope, force[:, :, 0])
-        own += np.einsum("enl,enm->elm", self._bend, force[:, :, 1])
-        total = scatter(self._dofs, own, self.size)
-        for clamp in self.clamps:
-            total[clamp.unknowns] += clamp.matrix @ q[clamp.unknowns]
+        self._strained = strained(*self.curve(q), self.axial, self.bending)
+        total = self.forces(self._strained.gradient)
+        total += self.clamped(q)
         if self.bed is not None:
             total += self.bed.internal(q)
         return total
 
     def _whole_tangent(self) -> Array:
         """Lower band of the tangent at the last `internal`, (width, size)."""
-        m, (count, local) = self.components, self.field.dofs.shape
-        hessian = self._strained.hessian * self._weight[:, None, None, None, None]
-        hessian = hessian.reshape(count, -1, 2, m, 2, m)
-        functions = (self._slope, self._bend)
-        whole = np.zeros((count, local, m, local, m))
-        for one, left in enumerate(functions):
-            for other, right in enumerate(functions):
-                part = hessian[:, :, one, :, other]
-                whole += np.einsum("enl,enij,enk->elikj", left, part, right, optimize=True)
-        i, j = self._pairs
-        entries = whole.reshape(count, local * m, local * m)[:, i, j]
-        flat = scatter(self._places, entries, self.width * self.size)
-        band: Array = flat.reshape((self.width, self.size), order="F")
-        for clamp in self.clamps:
-            for column, unknown in enumerate(clamp.unknowns):
-                below = clamp.unknowns[column:]
-                band[below - unknown, unknown] += clamp.matrix[column:, column]
+        band = self.band(self._strained.hessian)
+        self.clamp(band)
         if self.bed is not None:
             self.bed.stiffen(band)
         return band
 
     def tangent(self) -> Array:
         """Lower band of the tangent at the last `internal`, (width, size); held ones apart."""
-        return self._apart(self._whole_tangent())
+        return self.apart(self._whole_tangent())
 
-    def _apart(self, band: Array) -> Array:
+    def apart(self, band: Array) -> Array:
+        """A lower band with 1 for the held unknowns, which no other one feels."""
         apart: Array = without(band, self.held)
         apart[0, self.held] = 1.0
         return apart
@@ -150,7 +181,7 @@ class LineSystem:
         band = self._whole_tangent()
         right = -band_times(band, move)
         right[self.held] = move[self.held]
-        return self._solve(self._apart(band), right)
+        return self.solve_band(self.apart(band), right)
 
     @property
     def diagonal(self) -> Array:
@@ -158,14 +189,15 @@ class LineSystem:
         return np.asarray(np.abs(self.tangent()[0]))
 
     def solve(self, right: Array) -> Array | None:
-        """Solve with the tangent at the last `internal`; None where that cannot be done.
+        """Solve with the tangent at the last `internal`; None where that cannot be done."""
+        return self.solve_band(self.tangent(), right)
 
-        Where the tangent is not positive definite, as of a line without tension, its diagonal is
-        raised as little as makes it so: the energy still falls along the answer.
+    def solve_band(self, band: Array, right: Array) -> Array | None:
+        """Solve with a lower band.
+
+        Where it is not positive definite, as of a line without tension, its diagonal is raised as
+        little as makes it so: the energy still falls along the answer.
         """
-        return self._solve(self.tangent(), right)
-
-    def _solve(self, band: Array, right: Array) -> Array | None:
         _, x, info = lapack.dpbsv(band.copy(order="F"), right, lower=1, overwrite_ab=1)
         if info == 0:
             return np.asarray(x)

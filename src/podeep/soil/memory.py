@@ -77,8 +77,8 @@ class Elastic(Memory):
         return np.zeros(self.size)
 
 
-def nested(outer: str, inner: Memory) -> dict[str, Array]:
-    """The state of a memory that is part of another one, under its name."""
+def nested(outer: str, inner: Kept) -> dict[str, Array]:
+    """The state of what is part of another one, under its name."""
     return {f"{outer}.{name}": value for name, value in inner.state().items()}
 
 

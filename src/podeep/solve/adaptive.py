@@ -14,7 +14,8 @@ from math import ceil, log2
 import numpy as np
 
 from ..arrays import Array
-from .dynamics import End, Motion, Standing
+from .dynamics import End
+from .mover import Mover, Standing
 from .simulate import Rows, Simulation
 from .stage import NoBalance
 
@@ -35,7 +36,7 @@ class Adaptive(Simulation):
     strides that were taken again.
     """
 
-    scouts: Sequence[Motion] = ()
+    scouts: Sequence[Mover] = ()
     added: float = np.inf
     size: Array = field(default_factory=lambda: np.zeros(2))
     bends: Array = field(default_factory=lambda: np.zeros(0))
@@ -98,12 +99,12 @@ class Adaptive(Simulation):
             share, halfway = self._stride(draft := Rows(), spent)
             while share > 1.0 and self.level < _FINEST:
                 self._back(place, begun)
-                halvings = max(ceil(log2(share) / (self.method.order + 1)), 1)
+                halvings = max(ceil(log2(share) / (self.order + 1)), 1)
                 self._set_level(min(self.level + halvings, _FINEST))
                 self.anew += 1
                 share, halfway = self._stride(draft := Rows(), spent)
             for twin in self.twins:
-                twin.step(self.method, 2.0 * self.h, self.time, self.share, self.iterations)
+                twin.step(2.0 * self.h, self.time, self.share, self.iterations)
         except NoBalance:
             self._back(place, begun)
             self.ending = End.NO_BALANCE
@@ -115,7 +116,7 @@ class Adaptive(Simulation):
         rows.add(draft)
         self.deepest = max(self.deepest, self.level)
         aligned = self.tick % (4 * self._ticks) == 0
-        spare = _COARSER * 0.5 ** (self.method.order + 1)
+        spare = _COARSER * 0.5 ** (self.order + 1)
         if aligned and self.level > self.coarsest and share < spare:
             self._set_level(self.level - 1)
         return self.ending is End.COMPLETE and not self.finished
@@ -155,11 +156,11 @@ class Adaptive(Simulation):
         halfway = np.max([motion.sizes() for motion in self.motions], axis=0)
         self._both()
         for scout in self.scouts:
-            scout.step(self.method, 2.0 * self.h, self.time, self.share, self.iterations)
+            scout.step(2.0 * self.h, self.time, self.share, self.iterations)
         pairs = zip(self.motions, self.scouts, strict=True)
         apart = np.max([motion.sizes(scout) for motion, scout in pairs], axis=0)
         most = self.added * np.maximum(self.size, np.maximum(self.reach, halfway))
-        most *= 2.0**self.method.order - 1.0
+        most *= 2.0**self.order - 1.0
         return float(np.divide(apart, most, out=np.zeros(2), where=most > 0.0).max()), halfway
 
     def _both(self) -> None:
@@ -167,4 +168,4 @@ class Adaptive(Simulation):
         self.done += 1
         self.tick += self._ticks
         for motion in self.motions:
-            motion.step(self.method, self.h, self._at(self.tick), self.share, self.iterations)
+            motion.step(self.h, self._at(self.tick), self.share, self.iterations)

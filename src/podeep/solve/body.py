@@ -65,6 +65,11 @@ class Body:
     squeeze: Squeeze | None
     sways: bool
 
+    @property
+    def moving(self) -> list[Moving]:
+        """Problems in which something moves."""
+        return [m for m in (self.lateral if self.sways else None, self.axial) if m is not None]
+
 
 def body(scene: Scene, static: Model, rest: State) -> Body:
     """Set a foundation in motion from a static state.

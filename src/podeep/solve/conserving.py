@@ -35,9 +35,14 @@ class Conserving(Integrator):
         right += equations.weighed_times(q0) + equations.mass_times((2.0 / h) * v0)
         start = q0 + h * v0
         if len(held):
-            start[held] = equations.given(time)[0]
+            value, rate, _ = equations.given(time)
+            start[held] = value
+            # inertia of what is driven: the mean of its given acceleration
+            slip = np.zeros_like(q0)
+            slip[held] = (2.0 / h) * ((value - q0[held]) / h - v0[held]) - (rate - v0[held]) / h
+            right += equations.mass_times(slip)
         q = balanced(equations, right, start, lambda q: (q - q0) / h, patience, effort)
         velocity = (2.0 / h) * (q - q0) - v0
         if len(held):
-            velocity[held] = equations.given(time)[1]
+            velocity[held] = rate
         return State(time, q, np.asarray(velocity), (velocity - v0) / h, None)

@@ -32,7 +32,7 @@ class Drive:
             if isinstance(history, Harmonic):
                 found = harmonic(history, time, self.start)
             else:
-                found = series(history, time)
+                found = straight(history.times, history.factors, time)
             value[place], rate[place], second[place] = found
         return value, rate, second
 
@@ -58,11 +58,10 @@ def harmonic(history: Harmonic, time: float, start: float) -> Change:
     return r * f, dr * f + r * df, ddr * f + 2.0 * dr * df + r * ddf
 
 
-def series(history: TimeSeries, time: float) -> Change:
+def straight(times: Sequence[float], values: Sequence[float], time: float) -> Change:
     """Straight lines between the times, held before and after; the slope is that after a time."""
-    times, factors = history.times, history.factors
     after = bisect_right(times, time)
     if after == 0 or after == len(times):
-        return factors[min(after, len(times) - 1)], 0.0, 0.0
-    slope = (factors[after] - factors[after - 1]) / (times[after] - times[after - 1])
-    return factors[after - 1] + slope * (time - times[after - 1]), slope, 0.0
+        return values[min(after, len(times) - 1)], 0.0, 0.0
+    slope = (values[after] - values[after - 1]) / (times[after] - times[after - 1])
+    return values[after - 1] + slope * (time - times[after - 1]), slope, 0.0

@@ -1,6 +1,6 @@
 """Foundations in motion, followed step by step from the end of statics."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
 
@@ -20,6 +20,7 @@ from .integrators import (
     Weighted,
     initial,
 )
+from .mover import Pair, Standing, alike, rows_of, state_from
 from .moving import Moving
 from .newton import largest
 from .stage import Effort, NoBalance, Patience
@@ -55,21 +56,27 @@ def integrator(dynamics: Dynamics) -> Integrator:
             return CentralDifference()
 
 
-@dataclass(frozen=True, slots=True)
-class Standing:
-    """Where a motion was, to go back to: its states, the work of its loads, J, and the largest
-    force, N, so far, and what its soil remembers of deflection and stretch."""
+def in_parts(go: Callable[[float], None], h: float) -> float:
+    """Go h seconds on, in halves where there is no equilibrium otherwise; the smallest part, s.
 
-    lateral: State
-    axial: State | None
-    work: float
-    force: float
-    memories: tuple[Mapping[str, Array], ...]
+    go: takes such a part. Raises NoBalance, after some of them.
+    """
+    smallest, parts, done = h, 1, 0
+    while done < parts:
+        try:
+            go(h / parts)
+            done += 1
+        except NoBalance:
+            if parts == 2**HALVINGS:
+                raise
+            parts, done = 2 * parts, 2 * done
+            smallest = h / parts
+    return smallest
 
 
 @dataclass(slots=True)
 class Motion:
-    """A body on its way: where its deflection and its stretch (None: at rest) are.
+    """A body on its way, a `Mover`: where its deflection and its stretch (None: at rest) are.
 
     reach: largest unknown so far or expected, m; what an iteration may leave is a share of it.
     part: the smallest one that the last step was taken in, s. work: of the loads since the start,
@@ -77,6 +84,7 @@ class Motion:
     """
 
     body: Body
+    method: Integrator
     lateral: State
     axial: State | None
     reach: float
@@ -85,36 +93,27 @@ class Motion:
     work: float = 0.0
     force: float = 0.0
 
-    def step(self, method: Integrator, h: float, end: float, share: float, iterations: int) -> None:
-        """Go h seconds on, to the time `end`, in halves where there is no equilibrium otherwise.
+    @property
+    def time(self) -> float:
+        return self.lateral.time
 
-        share: of the reach, what an iteration may leave. Raises NoBalance, at a state before.
-        """
+    def step(self, h: float, end: float, share: float, iterations: int) -> None:
         way = largest(self.lateral.q) + h * largest(self.lateral.velocity)
         self.reach = max(self.reach, way)
         patience = Patience(share * self.reach, iterations)
-        self.part, parts, done = h, 1, 0
-        while done < parts:
-            try:
-                self._go(method, h / parts, patience)
-                done += 1
-            except NoBalance:
-                if parts == 2**HALVINGS:
-                    raise
-                parts, done = 2 * parts, 2 * done
-                self.part = h / parts
+        self.part = in_parts(lambda part: self._go(part, patience), h)
         self.lateral = replace(self.lateral, time=end)  # sums of steps would drift
         self.axial = replace(self.axial, time=end) if self.axial is not None else None
 
-    def _go(self, method: Integrator, h: float, patience: Patience) -> None:
+    def _go(self, h: float, patience: Patience) -> None:
         body, axial = self.body, self.axial
         if body.axial is not None and axial is not None:
-            axial = method.step(body.axial, axial, h, patience, self.effort)
+            axial = self.method.step(body.axial, axial, h, patience, self.effort)
             if body.squeeze is not None:
                 body.lateral.press(body.squeeze.band(axial.q))
         lateral = replace(self.lateral, time=self.lateral.time + h)
         if body.sways:
-            lateral = method.step(body.lateral, self.lateral, h, patience, self.effort)
+            lateral = self.method.step(body.lateral, self.lateral, h, patience, self.effort)
             self._accept(body.lateral, self.lateral, lateral)
         if body.axial is not None and self.axial is not None and axial is not None:
             self._accept(body.axial, self.axial, axial)
@@ -127,23 +126,52 @@ class Motion:
         equations.commit(after.q)
 
     def standing(self) -> Standing:
-        """Where it is, for it or another one of the same body to `stand` at."""
         memories = tuple(memory.state() for memory in self._memories())
         return Standing(self.lateral, self.axial, self.work, self.force, memories)
 
     def stand(self, at: Standing) -> None:
-        """Go where it, or another one of the same body, was."""
         self.lateral, self.axial, self.work, self.force = at.lateral, at.axial, at.work, at.force
         for memory, state in zip(self._memories(), at.memories, strict=True):
             memory.restore(state)
 
+    def _problems(self) -> Iterator[tuple[str, Moving, State]]:
+        """What moves: its equations and its state."""
+        yield "lateral", self.body.lateral, self.lateral
+        if self.body.axial is not None and self.axial is not None:
+            yield "axial", self.body.axial, self.axial
+
     def _memories(self) -> Iterator[Memory]:
-        for equations in (self.body.lateral, self.body.axial):
-            if equations is not None and equations.memory is not None:
+        for _, equations, _ in self._problems():
+            if equations.memory is not None:
                 yield equations.memory
 
+    def pair(self) -> Pair:
+        rows = [(state, equations.remembered(state.q)) for _, equations, state in self._problems()]
+        return rows[0], rows[1] if rows[1:] else None
+
+    def dissipated(self) -> float:
+        return sum(equations.dissipated() for _, equations, _ in self._problems())
+
+    def state(self) -> dict[str, Array]:
+        found = {"sums": np.array((self.time, self.work, self.force, self.reach), dtype=np.float64)}
+        for name, equations, state in self._problems():
+            found |= rows_of(name, state)
+            if equations.memory is not None:
+                for part, value in equations.memory.state().items():
+                    found[f"{name}/memory/{part}"] = value
+        return found
+
+    def restore(self, found: Mapping[str, Array]) -> None:
+        time, self.work, self.force, self.reach = map(float, found["sums"])
+        states = []
+        for name, equations, state in self._problems():
+            states.append(state_from(name, found, time, len(state.q)))
+            if equations.memory is not None:
+                kept = equations.memory.state()
+                equations.memory.restore(alike(f"{name}/memory", found, kept))
+        self.lateral, self.axial = states[0], states[1] if states[1:] else None
+
     def imbalance(self) -> float:
-        """Largest force out of balance over the largest force so far."""
         pairs = (self.body.lateral, self.lateral), (self.body.axial, self.axial)
         left = 0.0
         for equations, state in pairs:
@@ -153,7 +181,6 @@ class Motion:
         return left / self.force if self.force else 0.0
 
     def sizes(self, other: "Motion | None" = None) -> tuple[float, float]:
-        """Largest unknowns of deflection and stretch, or of their distance from another's, m."""
         q, axial = self.lateral.q, self.axial
         if other is not None:
             q = q - other.lateral.q
@@ -188,11 +215,11 @@ def out_of_balance(equations: Moving, state: State) -> tuple[float, float]:
     return float(np.abs(forces.sum(axis=0)).max()), float(np.abs(forces).max())
 
 
-def started(body: Body, time: float, start: Beginning, reach: float) -> Motion:
+def started(body: Body, method: Integrator, time: float, start: Beginning, reach: float) -> Motion:
     """A body where its motion begins."""
     effort = Effort()
     lateral = initial(body.lateral, time, start.lateral, start.lateral_velocity, effort)
     axial = None
     if body.axial is not None:
         axial = initial(body.axial, time, start.axial, start.axial_velocity, effort)
-    return Motion(body, lateral, axial, reach, effort)
+    return Motion(body, method, lateral, axial, reach, effort)

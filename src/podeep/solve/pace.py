@@ -4,6 +4,7 @@ A pace is the step, s, or the share of the largest displacement that a stride of
 to the error.
 """
 
+from collections.abc import Sequence
 from math import ceil, log2
 
 import numpy as np
@@ -11,16 +12,14 @@ import numpy as np
 from ..arrays import Array
 from ..scene import Dynamics, Scene
 from .adaptive import Adaptive
-from .dynamics import End, integrator
+from .dynamics import End
 from .plan import (
     AIM,
     NEAR,
     STEADY,
     TRIALS,
-    Begun,
     first_step,
     limit_of,
-    moving_in,
     set_off,
     share_of,
     simulation,
@@ -28,6 +27,7 @@ from .plan import (
     steps_in,
     trial_span,
 )
+from .ready import Ready
 from .simulate import Simulation
 
 FINER = 0.5  # of a step whose error turned out too large
@@ -37,20 +37,20 @@ _LOOSE = 0.1  # of the error to aim for, in the first trial's strides
 _CHANGE = 1000.0  # of the pace from one trial to the next, at most
 
 
-def pace_for(scene: Scene, dynamics: Dynamics, begun: list[Begun]) -> float:
+def pace_for(scene: Scene, dynamics: Dynamics, ready: Sequence[Ready]) -> float:
     """The pace that was asked for, or one whose error is within the accuracy in a trial."""
     if not dynamics.adaptive:
-        return step_for(scene, dynamics, begun)
-    span = trial_span(scene, dynamics, first_step(scene, dynamics, moving_in(scene, begun)))
+        return step_for(scene, dynamics, ready)
+    span = trial_span(scene, dynamics, first_step(scene, dynamics, ready))
     aim = AIM * scene.numerics.accuracy
     added = _LOOSE * aim
     for _ in range(TRIALS):
-        trial = adaptive(scene, dynamics, begun, added, span)
+        trial = adaptive(scene, dynamics, ready, added, span)
         trial.record_each(span)
         for _ in trial.blocks():
             pass
         share = aim / max(trial.error, 1e-12) if trial.ending is not End.NO_BALANCE else 0.25
-        share = float(share ** (1.0 + 1.0 / trial.method.order))
+        share = float(share ** (1.0 + 1.0 / trial.order))
         if NEAR <= share <= 1.0 / NEAR:
             return added * min(share, 1.0)
         added *= min(max(share, 1.0 / _CHANGE), _CHANGE)
@@ -63,39 +63,37 @@ def finer(dynamics: Dynamics, pace: float, order: int) -> float:
 
 
 def paced(
-    scene: Scene, dynamics: Dynamics, begun: list[Begun], pace: float, until: float
+    scene: Scene, dynamics: Dynamics, ready: Sequence[Ready], pace: float, until: float
 ) -> Simulation:
     """All foundations, and their twins, at the start of a motion of so many seconds."""
     make = adaptive if dynamics.adaptive else simulation
-    return make(scene, dynamics, begun, pace, until)
+    return make(scene, dynamics, ready, pace, until)
 
 
 def adaptive(
-    scene: Scene, dynamics: Dynamics, begun: list[Begun], added: float, until: float
+    scene: Scene, dynamics: Dynamics, ready: Sequence[Ready], added: float, until: float
 ) -> Adaptive:
     """A motion in steps that follow the error: they meet records, and loads are seen.
 
     Raises UserError for a first step beyond the limit of an explicit method.
     """
-    moving = moving_in(scene, begun)
-    limit = STEADY * limit_of(dynamics, moving)
-    longest = first_step(scene, dynamics, moving)
+    limit = STEADY * limit_of(scene, dynamics, ready)
+    longest = first_step(scene, dynamics, ready)
     first = dynamics.step or longest
     longest = min(longest, dynamics.recording or longest)
     count = steps_in(until, longest, dynamics.recording)
     base = until / count
     return Adaptive(
-        set_off(scene, dynamics, begun),
-        set_off(scene, dynamics, begun),
-        integrator(dynamics),
+        set_off(scene, dynamics, ready),
+        set_off(scene, dynamics, ready),
         dynamics.start,
         base,
         count,
         min(share_of(scene, dynamics), _LEFT * added),
         dynamics.iterations,
-        scouts=set_off(scene, dynamics, begun),
+        scouts=set_off(scene, dynamics, ready),
         added=added,
-        size=_SIZE * np.max([one.sizes for one in begun], axis=0),
+        size=_SIZE * np.max([one.sizes for one in ready], axis=0),
         bends=bends(scene, dynamics),
         coarsest=halvings(base, limit),
         level=halvings(base, min(first, limit)),
@@ -111,4 +109,7 @@ def bends(scene: Scene, dynamics: Dynamics) -> Array:
     """Times at which loads bend, s, rising."""
     times = [dynamics.start + h.ramp for h in scene.harmonics]
     times += [time for history in scene.series for time in history.times]
+    for motion in scene.line_motions:
+        times += [dynamics.start + wave.ramp for wave in motion.waves]
+        times += motion.times
     return np.unique(np.array(times, dtype=float))

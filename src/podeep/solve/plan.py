@@ -1,31 +1,18 @@
-"""From a scene to its motions: meshes, states at the end of statics, the step in time."""
+"""From what is ready to move to its motion: the step in time, and all that moves in it."""
 
-from dataclasses import dataclass, replace
-from math import ceil, inf, log2, pi
+from collections.abc import Sequence
+from math import ceil, inf
 
 import numpy as np
 
-from ..arrays import Array
-from ..errors import AnalysisFailed, Fault, UserError
-from ..model.assemble import Model
-from ..model.results import Results
-from ..scene import Dynamics, Foundation, Harmonic, Scene, Steps, TimeSeries
-from .analysis import factors_of, limits, rebuilt, run, solve
-from .body import body
-from .dynamics import End, Motion, integrator, started
-from .modes import halved
-from .moving import Moving
-from .newton import largest
+from ..errors import Fault, UserError
+from ..scene import Dynamics, Scene
+from .dynamics import End
+from .mover import Mover
+from .ready import Ready
 from .simulate import Simulation
-from .starts import Beginning, beginning
-from .statics import State
 
 _SHARE = 0.05  # of the accuracy: what the iteration of a step may leave
-_MESH_SHARE = 0.5  # of the accuracy, for the mesh; the rest is for the steps in time
-# In motion the corners of curves, and places where the tube stands still, pass along the tube:
-# no mesh of statics meets them. Below these accuracies elements are halved until their square suits
-# what is asked. Soil that remembers keeps its corners at all depths.
-_CORNERS, _CORNERS_REMEMBERED = 3e-4, 1e-3
 _PARTS, _OWN_PARTS = 40, 20  # of the shortest period of loads, and of the foundation's longest own
 _PERIODS = 4.0  # that a trial takes
 _SERIES_STEPS = 400  # that a trial takes where nothing is periodic
@@ -36,68 +23,10 @@ NEAR = 0.6  # of the step to aim for: a trial so near it needs no other
 STEADY = 0.9  # of the limit of an explicit method
 
 
-@dataclass(frozen=True, eq=False)
-class Begun:
-    """A foundation at the end of statics: its model and the state there.
-
-    start: from where it moves. peak: under its largest loads in statics, which the mesh suits.
-    sizes: how far deflection and stretch may move, m.
-    """
-
-    model: Model
-    rest: State
-    start: Beginning
-    peak: Results
-    sizes: Array
-
-
-def begun(scene: Scene, foundation: Foundation) -> Begun:
-    """Bring a foundation to the end of statics on a mesh that suits its loads in motion.
-
-    Raises AnalysisFailed where statics has no equilibrium.
-    """
-    accuracy = _MESH_SHARE * scene.numerics.accuracy
-    still = replace(scene, numerics=replace(scene.numerics, accuracy=accuracy, follow_path=False))
-    largest_loads = solve(replace(still, steps=peaks(scene)), foundation)
-    edges = largest_loads.model.edges
-    if scene.numerics.elements is None:
-        elastic = scene.numerics.hysteresis == "ELASTIC"
-        corners = _CORNERS if elastic else _CORNERS_REMEMBERED
-        for _ in range(ceil(0.5 * log2(max(corners / scene.numerics.accuracy, 1.0)))):
-            edges = halved(edges)
-    model = rebuilt(still, largest_loads.model, edges, 0)
-    states, failure, interrupted = run(model, factors_of(scene), limits(still))
-    if interrupted:
-        raise KeyboardInterrupt
-    if failure is not None or not states:
-        raise AnalysisFailed(
-            f"{foundation.name}: statics has no equilibrium, so there is no state to move from"
-        )
-    start = beginning(scene, model, states[-1])
-    there: tuple[State | Beginning, ...] = (*largest_loads.states, *states, start)
-    sizes = np.max([(largest(at.lateral), largest(at.axial)) for at in there], axis=0)
-    return Begun(model, states[-1], start, largest_loads.results, sizes)
-
-
-def peaks(scene: Scene) -> Steps:
-    """The static steps, and one more with every history at its largest factor."""
-    names, factors = scene.steps.names, scene.steps.factors
-    last = list(factors[-1]) if factors else [0.0] * len(names)
-    histories: list[Harmonic | TimeSeries] = [*scene.harmonics, *scene.series]
-    for history in histories:
-        last[names.index(history.name)] = largest_factor(history)
-    return Steps(names, (*factors, tuple(last)))
-
-
-def largest_factor(history: Harmonic | TimeSeries) -> float:
-    """The factor of largest size that a history comes to."""
-    return 1.0 if isinstance(history, Harmonic) else max(history.factors, key=abs)
-
-
 def simulation(
     scene: Scene,
     dynamics: Dynamics,
-    begun: list[Begun],
+    ready: Sequence[Ready],
     step: float,
     until: float,
     *,
@@ -109,9 +38,8 @@ def simulation(
     """
     count = steps_in(until, step, dynamics.recording)
     return Simulation(
-        set_off(scene, dynamics, begun),
-        set_off(scene, dynamics, begun) if twins else (),
-        integrator(dynamics),
+        set_off(scene, dynamics, ready),
+        set_off(scene, dynamics, ready) if twins else (),
         dynamics.start,
         until / count,
         count,
@@ -120,12 +48,9 @@ def simulation(
     )
 
 
-def set_off(scene: Scene, dynamics: Dynamics, begun: list[Begun]) -> list[Motion]:
-    """All foundations where their motion begins."""
-    return [
-        started(body(scene, one.model, one.rest), dynamics.start, one.start, float(one.sizes.max()))
-        for one in begun
-    ]
+def set_off(scene: Scene, dynamics: Dynamics, ready: Sequence[Ready]) -> list[Mover]:
+    """All where their motion begins."""
+    return [one.set_off(scene, dynamics) for one in ready]
 
 
 def share_of(scene: Scene, dynamics: Dynamics) -> float:
@@ -143,67 +68,68 @@ def steps_in(until: float, step: float, recording: float | None) -> int:
     return max(2 * ceil(0.5 * until / step * (1.0 - 1e-12)), 2)
 
 
-def step_for(scene: Scene, dynamics: Dynamics, begun: list[Begun]) -> float:
+def step_for(scene: Scene, dynamics: Dynamics, ready: Sequence[Ready]) -> float:
     """The step, s: as it was given, or one whose error is within the accuracy in a trial.
 
     Raises UserError for a step beyond the limit of an explicit method.
     """
-    moving = moving_in(scene, begun)
-    limit = limit_of(dynamics, moving)
+    limit = limit_of(scene, dynamics, ready)
     if dynamics.step is not None:
         check_step(dynamics, dynamics.step, limit)
         return dynamics.step
-    first = step = min(first_step(scene, dynamics, moving), STEADY * limit)
+    first = step = min(first_step(scene, dynamics, ready), STEADY * limit)
     span = trial_span(scene, dynamics, first)
     longest = min(_LONGEST * first, STEADY * limit)
     for _ in range(TRIALS):
-        trial = simulation(scene, dynamics, begun, step, span)
+        trial = simulation(scene, dynamics, ready, step, span)
         trial.every = trial.count
         for _ in trial.blocks():
             pass
         fine = trial.ending is not End.NO_BALANCE
         share = AIM * scene.numerics.accuracy / max(trial.error, 1e-12)
-        share = share ** (1.0 / trial.method.order) if fine else 0.25
+        share = share ** (1.0 / trial.order) if fine else 0.25
         if NEAR <= share <= 1.0 / NEAR:
             return step * min(share, 1.0)
         step = float(np.clip(share * step, _SHORTEST * first, longest))
     return step
 
 
-def moving_in(scene: Scene, begun: list[Begun]) -> list[Moving]:
-    """All that moves: deflections and stretches."""
-    bodies = [body(scene, one.model, one.rest) for one in begun]
-    return [m for b in bodies for m in (b.lateral if b.sways else None, b.axial) if m is not None]
-
-
-def limit_of(dynamics: Dynamics, moving: list[Moving]) -> float:
+def limit_of(scene: Scene, dynamics: Dynamics, ready: Sequence[Ready]) -> float:
     """The longest step, s, that an explicit method stays stable with; inf: any."""
-    return min((integrator(dynamics).limit(m) for m in moving), default=inf)
+    return min((one.limit(scene, dynamics) for one in ready), default=inf)
 
 
-def first_step(scene: Scene, dynamics: Dynamics, moving: list[Moving]) -> float:
-    """A step to begin with, s, by the periods of loads and foundations."""
-    periods = [h.period for h in scene.harmonics]
+def periods_of(scene: Scene) -> list[float]:
+    """Of all that is periodic in what drives a scene, s."""
+    of_lines = [wave.period for motion in scene.line_motions for wave in motion.waves]
+    return [one.period for one in scene.harmonics] + of_lines
+
+
+def first_step(scene: Scene, dynamics: Dynamics, ready: Sequence[Ready]) -> float:
+    """A step to begin with, s, by the periods of what drives and of what moves."""
+    periods = periods_of(scene)
     whole = dynamics.end - dynamics.start
     first = min(periods) / _PARTS if periods else whole / _SERIES_STEPS
-    return min([first, *(2.0 * pi / m.slowest() / _OWN_PARTS for m in moving)])
+    return min([first, *(one.period(scene) / _OWN_PARTS for one in ready)])
 
 
 def trial_span(scene: Scene, dynamics: Dynamics, first: float) -> float:
     """What a trial is to see of the motion, s: periods of loads, or steps once loads set in."""
     whole = dynamics.end - dynamics.start
-    if scene.harmonics:
-        span = _PERIODS * max(h.period for h in scene.harmonics)
+    if periods := periods_of(scene):
+        span = _PERIODS * max(periods)
     else:
-        onsets = [onset(history) - dynamics.start for history in scene.series]
-        span = max(min(onsets, default=0.0), 0.0) + _SERIES_STEPS * first
+        records = [onset(m.times, m.values) for m in scene.line_motions if m.times]
+        onsets = [onset(one.times, one.factors) for one in scene.series] + records
+        since = min(onsets, default=dynamics.start) - dynamics.start
+        span = max(since, 0.0) + _SERIES_STEPS * first
     return min(span, whole)
 
 
-def onset(history: TimeSeries) -> float:
-    """The time at which the factor of a load first changes, s; the last one where it never does."""
-    pairs = zip(history.times, history.factors, history.factors[1:], strict=False)
-    return next((time for time, one, other in pairs if one != other), history.times[-1])
+def onset(times: Sequence[float], values: Sequence[float]) -> float:
+    """The time at which a record first changes, s; the last one where it never does."""
+    pairs = zip(times, values, values[1:], strict=False)
+    return next((time for time, one, other in pairs if one != other), times[-1])
 
 
 def check_step(dynamics: Dynamics, step: float, limit: float) -> None:

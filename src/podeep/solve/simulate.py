@@ -7,17 +7,11 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from ..arrays import Array, Flags, Index
-from .dynamics import End, Motion
-from .equations import State
-from .integrators import Integrator
+from .dynamics import End
+from .mover import Mover, Pair, Row
 from .stage import NoBalance
 
 BLOCK = 1024  # steps
-
-
-#: A state of a problem, and what the soil resists at its points where that depends on the way.
-Row: TypeAlias = tuple[State, Array | None]
-Pair: TypeAlias = tuple[Row, Row | None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,16 +104,15 @@ class Rows:
 
 @dataclass(slots=True)
 class Simulation:
-    """All foundations on their way, and their twins; without these errors are not known.
+    """All foundations and lines on their way, and their twins; without these errors are not known.
 
     start: time at which they begin, s; h: step, s; count: steps to go. share: of the expected
     displacement, what iterations may leave. every: of so many steps one is recorded. reach, apart:
     largest displacement so far, and between a motion and its twin, of deflection and stretch, m.
     """
 
-    motions: Sequence[Motion]
-    twins: Sequence[Motion]
-    method: Integrator
+    motions: Sequence[Mover]
+    twins: Sequence[Mover]
     start: float
     h: float
     count: int
@@ -132,15 +125,20 @@ class Simulation:
     reach: Array = field(default_factory=lambda: np.zeros(2))
 
     @property
+    def order(self) -> int:
+        """Of the error in the step."""
+        return min(motion.method.order for motion in self.motions)
+
+    @property
     def error(self) -> float:
         """Estimated error of the displacements so far, as a share of the largest of them."""
-        size = (2.0**self.method.order - 1.0) * self.reach
+        size = (2.0**self.order - 1.0) * self.reach
         return float(np.divide(self.apart, size, out=np.zeros(2), where=size > 0.0).max())
 
     @property
     def time(self) -> float:
         """Where the motions are, s."""
-        return self.motions[0].lateral.time
+        return self.motions[0].time
 
     @property
     def finished(self) -> bool:
@@ -211,7 +209,7 @@ class Simulation:
 
     def _note(self, rows: Rows, spent: int, *, recorded: bool) -> None:
         """Put down where all are, after as many iterations as were spent on this step."""
-        rows.states.append([_pair(m) for m in (*self.motions, *self.twins)])
+        rows.states.append([m.pair() for m in (*self.motions, *self.twins)])
         part = min(self.h, *(m.part for m in self.motions)) / self.longest
         work = sum(m.work for m in self.motions)
         residual = self._imbalance() if recorded else 0.0
@@ -227,11 +225,11 @@ class Simulation:
         try:
             end = self.start + (self.done + 1) * self.h
             for motion in self.motions:
-                motion.step(self.method, self.h, end, self.share, self.iterations)
+                motion.step(self.h, end, self.share, self.iterations)
             self.done += 1
             if self.done % 2 == 0:
                 for twin in self.twins:
-                    twin.step(self.method, 2.0 * self.h, end, self.share, self.iterations)
+                    twin.step(2.0 * self.h, end, self.share, self.iterations)
         except NoBalance:
             self.ending = End.NO_BALANCE
             return False
@@ -247,15 +245,6 @@ class Simulation:
                 np.maximum(self.apart, motion.sizes(twin), out=self.apart)
         if any(motion.lost() for motion in self.motions):
             self.ending = End.LOST
-
-
-def _pair(motion: Motion) -> Pair:
-    """Where a motion is."""
-    body, axial = motion.body, motion.axial
-    lateral = motion.lateral, body.lateral.remembered(motion.lateral.q)
-    if body.axial is None or axial is None:
-        return lateral, None
-    return lateral, (axial, body.axial.remembered(axial.q))
 
 
 def _tracks(states: Sequence[Pair]) -> Tracks:

@@ -12,7 +12,8 @@ from ..motion_record import Ledger, ledger
 from ..scene import Dynamics, Foundation, Scene
 from ..solve.dynamics import Motion
 from ..solve.integrators import CentralDifference
-from ..solve.plan import Begun, begun, simulation, step_for
+from ..solve.plan import simulation, step_for
+from ..solve.ready import Begun, begun
 from .measure import Tell, asking, cpu_time
 from .motion_history import Followed, follow
 from .motion_settings import MotionPlan, periods_of
@@ -37,8 +38,7 @@ class Base:
 
     def motion(self) -> Motion:
         """At its start."""
-        one = simulation(self.scene, dynamics_of(self.scene), [self.begun], 1.0, 1.0, twins=False)
-        return one.motions[0]
+        return self.begun.set_off(self.scene, dynamics_of(self.scene))
 
     def follow(
         self, dynamics: Dynamics, step: float, until: float, x: Array, patience: float = inf
@@ -54,8 +54,8 @@ class Base:
 
         def steps() -> None:
             for _ in range(one.count):
-                end = motion.lateral.time + one.h
-                motion.step(one.method, one.h, end, one.share, one.iterations)
+                end = motion.time + one.h
+                motion.step(one.h, end, one.share, one.iterations)
 
         return cpu_time(steps)
 
@@ -67,8 +67,7 @@ def base_of(scene: Scene, foundation: Foundation, accuracy: float) -> Base:
     """
     asked = asking(scene, accuracy)
     start = begun(asked, foundation)
-    one = simulation(asked, dynamics_of(asked), [start], 1.0, 1.0, twins=False)
-    return Base(asked, start, ledger(asked, start, one.motions[0].body))
+    return Base(asked, start, ledger(asked, start, start.body(asked)))
 
 
 def dynamics_of(scene: Scene) -> Dynamics:

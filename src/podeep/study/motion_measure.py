@@ -18,7 +18,8 @@ from ..run_motion import RESTARTS, check_motion
 from ..scene import Dynamics, Foundation, Scene
 from ..solve.dynamics import End, integrator
 from ..solve.pace import FINER
-from ..solve.plan import begun, simulation, step_for
+from ..solve.plan import simulation, step_for
+from ..solve.ready import begun
 from .measure import Tell, asking, machine, turns
 from .motion_base import Base, Task, base_of, dynamics_of, stable, task
 from .motion_chart import TENTH, MotionChart, MotionChoice, MotionReference, MotionRow
