@@ -80,7 +80,7 @@ def system_of(
         rubs = Friction(len(points[0]), friction, threshold=threshold) if friction else None
         bed = Bed(field, components, points, normal, rubs)
     every = (np.full(n, value) for value in (axial, bending, weight))
-    return LineSystem(field, components, Sections(*every), np.array(sorted(places)), bed)
+    return LineSystem(field, components, Sections(*every), np.array(sorted(places), dtype=int), bed)
 
 
 def hung(system: LineSystem, span: float, height: float) -> Array:

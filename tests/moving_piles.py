@@ -10,7 +10,6 @@ from podeep.motion import Damping, Dynamics, Harmonic, Mass
 from podeep.scene import Foundation, Load, Numerics, Scene, Section, Steps, Tube
 from podeep.solve.dynamics import Motion
 from podeep.solve.integrators import Integrator
-from podeep.solve.plan import simulation
 from podeep.solve.ready import Begun, begun
 from scenes import linear_ground, reference_pile
 
@@ -84,17 +83,17 @@ def start_of(scene: Scene) -> Begun:
 def motion_of(scene: Scene, one: Begun | None = None) -> Motion:
     """A motion at its start."""
     assert scene.dynamics is not None
-    span = scene.dynamics.end - scene.dynamics.start
-    return simulation(scene, scene.dynamics, [one or start_of(scene)], span, span).motions[0]
+    return (one or start_of(scene)).set_off(scene, scene.dynamics)
 
 
 def head_of(
     motion: Motion, method: Integrator, h: float, steps: int, share: float = 1e-8
 ) -> tuple[Array, Array]:
     """Times and displacements of the head, the start among them."""
+    motion.method = method
     times, head = [motion.lateral.time], [motion.lateral.q[0]]
     for _ in range(steps):
-        motion.step(method, h, motion.lateral.time + h, share, 60)
+        motion.step(h, motion.lateral.time + h, share, 60)
         times.append(motion.lateral.time)
         head.append(motion.lateral.q[0])
     return np.array(times), np.array(head)

@@ -40,11 +40,12 @@ solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.sta
 solve.bordered solve.continuation solve.path solve.together solve.prolong solve.across solve.refine
 solve.accuracy solve.analysis solve.diagnosis
 solve.equations solve.stage solve.integrators solve.conserving solve.drive solve.moving solve.body
-solve.starts solve.dynamics solve.simulate solve.resume
-solve.eigen solve.families solve.about_state solve.modes solve.plan solve.adaptive solve.pace
-line.__init__ line.rod line.catenary line.boundary_layer line.pulled line.peel line.free_span
-line.bed line.equations line.statics
-line.results line.assemble line.analysis
+solve.starts solve.mover solve.dynamics solve.simulate solve.resume
+solve.eigen solve.families solve.about_state solve.modes solve.ready solve.plan solve.adaptive
+solve.pace
+line.__init__ line.rod line.rod_step line.catenary line.boundary_layer line.pulled line.peel
+line.free_span line.bed line.equations
+line.statics line.results line.assemble line.analysis line.moving line.motion
 database.__init__ database.variable database.foundation_variables database.line_variables
 database.schema database.envelope database.grids database.rows database.layout database.target
 database.stream database.trust database.restart database.write database.stored
@@ -57,7 +58,7 @@ capacity_report query table picture figure
 soil_figure modes_report modes_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result
-motion_record resume motion_log run_motion line_record line_report run
+line_record line_report motion_record line_motion_record resume motion_log run_motion run
 study.__init__ study.settings study.chart study.measure study.chart_report study.chart_figure
 study.oscillator study.trials study.limits study.stability study.stability_report
 study.stability_figure

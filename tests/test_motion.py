@@ -134,11 +134,12 @@ def test_energy_is_balanced(hysteresis: str) -> None:
             return remembered
         return system.react(system.displacement(q)[:, 0])[0]
 
+    motion.method = Weighted()
     taken = damped = 0.0
     bending = dense(system.linear.reshape((system.width, system.size), order="F"))
     for _ in range(400):
         before, force = motion.lateral, soil(motion.lateral.q)
-        motion.step(Weighted(), 0.02, motion.lateral.time + 0.02, 1e-9, 60)
+        motion.step(0.02, motion.lateral.time + 0.02, 1e-9, 60)
         after = motion.lateral
         moved = after.q - before.q
         felt = system.displacement(moved)[:, 0]

@@ -26,7 +26,7 @@ class Terminal:
             env={**os.environ, "TERM": "xterm", **environment},
             encoding="utf-8",
             dimensions=(40, 100),
-            timeout=20,
+            timeout=60,
         )
         self._child.logfile_read = self.log
 

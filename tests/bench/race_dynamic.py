@@ -88,15 +88,15 @@ def motion_of(setting: Setting) -> Motion:
     scene = scene_of(setting)
     model = first_model(scene, scene.foundations[0])
     *_, rest = steps(model, np.zeros((1, 1)), limits(scene))
-    return started(body(scene, model, rest), 0.0, beginning(scene, model, rest), REACH)
+    return started(body(scene, model, rest), Weighted(), 0.0, beginning(scene, model, rest), REACH)
 
 
 def ours(setting: Setting, motion: Motion) -> Array:
     """Displacements of the head after every step."""
-    method, head = Weighted(), []
+    head = []
     for _ in range(round(END / setting.step)):
         end = motion.lateral.time + setting.step
-        motion.step(method, setting.step, end, setting.still, 30)
+        motion.step(setting.step, end, setting.still, 30)
         head.append(motion.lateral.q[0])
     return np.array(head)
 

@@ -104,17 +104,19 @@ def without(band: Array, dofs: Index) -> Array:
     return np.asfortranarray(band * left[rows] * left[:n])
 
 
-def general_band(lower: Array) -> Array:
-    """A symmetric matrix as LAPACK's general band storage, with the room that pivots need.
+def general_band(lower: Array, transposed: Array | None = None) -> Array:
+    """A matrix as LAPACK's general band storage, with the room that pivots need.
 
-    lower: lower band, shape (width, n). Returns shape (3 width - 2, n), Fortran order.
+    lower: its lower band, shape (width, n); transposed: that of its transpose, None where it is
+    symmetric. Returns shape (3 width - 2, n), Fortran order.
     """
     width, n = lower.shape
+    upper = lower if transposed is None else transposed
     whole = np.zeros((3 * width - 2, n), order="F")
     middle = 2 * (width - 1)
     whole[middle:] = lower
     for d in range(1, width):
-        whole[middle - d, d:] = lower[d, : n - d]
+        whole[middle - d, d:] = upper[d, : n - d]
     return whole
 
 

@@ -121,6 +121,15 @@ class LineSystem:
 
     def band(self, densities: Array, first: int = 1) -> Array:
         """Symmetric derivatives of `forces`, (n, any, m, any, m), as a lower band (width, size)."""
+        return self._banded(self._matrices(densities, first))
+
+    def bands(self, densities: Array) -> tuple[Array, Array]:
+        """The lower bands of derivatives of `forces`, not symmetric, and of the transpose."""
+        whole = self._matrices(densities, 1)
+        return self._banded(whole), self._banded(np.swapaxes(whole, 1, 2))
+
+    def _matrices(self, densities: Array, first: int) -> Array:
+        """Derivatives as matrices of the elements, (elements, local, local)."""
         m, (count, local), parts = self.components, self.field.dofs.shape, densities.shape[1]
         matrix = densities * self.weight[:, None, None, None, None]
         matrix = matrix.reshape(count, -1, parts, m, parts, m)
@@ -130,8 +139,12 @@ class LineSystem:
             for other, right in enumerate(functions):
                 part = matrix[:, :, one, :, other]
                 whole += np.einsum("enl,enij,enk->elikj", left, part, right, optimize=_ORDER)
+        return np.asarray(whole.reshape(count, local * m, local * m))
+
+    def _banded(self, matrices: Array) -> Array:
+        """The lower triangles of matrices of the elements, as a lower band (width, size)."""
         i, j = self._pairs
-        entries = whole.reshape(count, local * m, local * m)[:, i, j]
+        entries = matrices[:, i, j]
         flat = scatter(self._places, entries, self.width * self.size)
         return np.asarray(flat.reshape((self.width, self.size), order="F"))
 

@@ -20,6 +20,7 @@ from .analysis import SolvedLine
 from .assemble import LineModel, assemble, section_at
 from .moving import Given, LineInertia, LineMoving
 
+_ROUNDING = 1e-12  # of the length: a move that rounding may leave
 _LEAST = 1e-3  # of the diameter: displacement that counts as one
 
 
@@ -57,7 +58,8 @@ class MovingLine:
     def step(self, h: float, end: float, share: float, iterations: int) -> None:
         way = self.sizes()[0] + h * largest(self.now.velocity)
         self.reach = max(self.reach, way)
-        patience = Patience(share * self.reach, iterations)
+        rounding = _ROUNDING * self.equations.system.unstretched_length
+        patience = Patience(max(share * self.reach, rounding), iterations)
         self.part = in_parts(lambda part: self._go(part, patience), h)
         self.now = replace(self.now, time=end)  # sums of steps would drift
 

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 from math import pi
 
 import numpy as np
-from scipy.linalg import eigh
+from scipy.linalg import eigh, lapack
 
 from ..arrays import Array, Index
-from ..beam.band import band_times, dense
+from ..beam.band import band_times, dense, general_band
 from ..scene import Damping, LineSection, Sea
 from .equations import LineSystem
 from .rod import strained
@@ -72,7 +72,7 @@ class LineMoving:
         )
         self.feels_velocity = bool(self._drag.any())
         self._weights = (1.0, 0.0, 0.0)
-        self._kept: Array | None = None
+        self._kept: tuple[Array, Array] | None = None
         self.before = q
         self._stand(q, q)
 
@@ -148,27 +148,36 @@ class LineMoving:
             (self._drag * speed)[:, None, None, None, None] * matrix[:, None, :, None], 0
         )
 
-    def tangent(self) -> Array:
-        """Lower band of dF/dq at the last `internal`."""
-        band = self.system.band(self._strained.hessian)
-        self.system.clamp(band, 0.5 if self.mean else 1.0)
-        if self.system.bed is not None:
-            self.system.bed.stiffen(band)
-        return band
+    def _tangent(self) -> tuple[Array, Array]:
+        """Lower bands of dF/dq at the last `internal`, and of its transpose."""
+        if self.mean:
+            bands = self.system.bands(self._strained.hessian)
+        else:
+            band = self.system.band(self._strained.hessian)
+            bands = band, band.copy(order="F")
+        for band in bands:
+            self.system.clamp(band, 0.5 if self.mean else 1.0)
+            if self.system.bed is not None:
+                self.system.bed.stiffen(band)
+        return bands
 
     def solve(self, right: Array) -> Array | None:
-        band = self._kept
-        if band is None:
-            band = self._whole()
-        return self.system.solve_band(band, right)
+        lower, upper = self._kept or self._whole()
+        below = len(lower) - 1
+        _, _, x, info = lapack.dgbsv(
+            below, below, general_band(lower, upper), right, overwrite_ab=1
+        )
+        if info == 0 and right @ x > 0.0:
+            return np.asarray(x)
+        return self.system.solve_band(0.5 * (lower + upper), right)
 
-    def _whole(self) -> Array:
-        """What `solve` solves with."""
-        band = self.tangent() + self._weighed
-        rate = self._weights[2]
+    def _whole(self) -> tuple[Array, Array]:
+        """What `solve` solves with, and its transpose, as lower bands."""
+        same, rate = self._weighed, self._weights[2]
         if self.feels_velocity and rate:
-            band += rate * self._drag_band()
-        return self.system.apart(band)
+            same = same + rate * self._drag_band()
+        lower, upper = self._tangent()
+        return self.system.apart(lower + same), self.system.apart(upper + same)
 
     def keep_tangent(self, kept: bool) -> None:
         self._kept = self._whole() if kept else None
@@ -182,7 +191,9 @@ class LineMoving:
 
     def fastest(self) -> float:
         free = np.delete(np.arange(self.system.size), self.held)
-        stiffness, mass = (dense(b)[np.ix_(free, free)] for b in (self.tangent(), self._inertia))
+        stiffness, mass = (
+            dense(b)[np.ix_(free, free)] for b in (self._tangent()[0], self._inertia)
+        )
         last = len(free) - 1
         square = eigh(stiffness, mass, eigvals_only=True, subset_by_index=(last, last))[0]
         return float(np.sqrt(max(square, 0.0)))

@@ -29,7 +29,7 @@ def mean_strained(
 ) -> Strained:
     """Mean forces of a step from (a0, b0) to (a1, b1), each (n, m), as `rod.strained` gives them.
 
-    The derivatives are those to a1 and b1, made symmetric.
+    The derivatives are those to a1 and b1, which are not symmetric.
     """
     (a0, b0), (a1, b1) = start, end
     n, m = a1.shape
@@ -79,8 +79,7 @@ def mean_strained(
     hessian[:, 0, :, 1] += (0.5 * D_C)[:, None, None] * unit
     hessian[:, 1, :, 0] += (0.5 * D_C)[:, None, None] * unit
     hessian[:, 1, :, 1] += D_B[:, None, None] * unit
-    turned = hessian.transpose(0, 3, 4, 1, 2)
-    return Strained(gradient, 0.5 * (hessian + turned))
+    return Strained(gradient, hessian)
 
 
 def material(a: Array, b: Array, axial: Array, bending: Array) -> Array:
