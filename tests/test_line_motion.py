@@ -14,7 +14,7 @@ from podeep.line.statics import laid
 from podeep.scene import Damping
 from podeep.seabed.normal import Winkler
 from podeep.solve.conserving import Conserving
-from podeep.solve.integrators import Bathe, Weighted
+from podeep.solve.integrators import Weighted
 
 EA, EI = 5e6, 700.0
 numbers = st.floats(-2.0, 2.0).map(lambda x: round(x, 6))
@@ -242,7 +242,7 @@ def test_bouncing_gains_energy_with_the_trapezoidal_rule():
     assert found.max() > 1.2 * begin
 
 
-@pytest.mark.parametrize("method", [Conserving(), Weighted.hht(-0.05), Bathe()])
+@pytest.mark.parametrize("method", [Conserving(), Weighted.hht(-0.05)])
 def test_the_error_falls_with_the_square_of_the_step(method):
     """A catenary whose end is moved evenly, with drag and damping."""
     system = system_of(
@@ -259,14 +259,14 @@ def test_the_error_falls_with_the_square_of_the_step(method):
         line = moving_line(
             system, start, 50.0, added=30.0, drag=100.0, method=method, damping=damping, path=path
         )
-        go_on = 4.0 / count
+        h = 4.0 / count
         for _ in range(count):
-            line.step(go_on, line.time + go_on, 1e-10, 60)
+            line.step(h, line.time + h, 1e-10, 60)
         return line.now.q
 
-    ends = [at_end(count) for count in (40, 80, 160)]
+    ends = [at_end(count) for count in (80, 160, 320)]
     order = np.log2(np.abs(ends[0] - ends[1]).max() / np.abs(ends[1] - ends[2]).max())
-    assert order == pytest.approx(2.0, abs=0.25)
+    assert order == pytest.approx(2.0, abs=0.1)
 
 
 def test_damping_and_drag_take_what_is_missing():
