@@ -161,7 +161,7 @@ def test_the_touchdown_has_no_staircase():
         stages.append(Stage(goal))
     states = list(follow(system, state, stages, LIMITS))
     assert all(s.ending is Ending.CONVERGED for s in states)
-    touchdown = LineResults(system, states).touchdown()
+    touchdown = LineResults.of(system, states).touchdown()
     steps = np.diff(touchdown)
     assert touchdown[-1] - touchdown[0] < -0.5 * element
     assert np.abs(steps - steps.mean()).max() < 0.02 * np.abs(steps.mean())
