@@ -116,7 +116,8 @@ def test_everything_of_lines_is_told(tmp_path: Path, capsys: pytest.CaptureFixtu
 @pytest.mark.parametrize(
     ("more", "old", "new", "words"),
     [
-        ("*DYNAMIC\n0 60", "", "", "motion of lines in time is not followed by this version"),
+        ("*MOTION\n11 1\nRY 5 9\n*DYNAMIC\n0 60", "", "", "does not turn them"),
+        ("*MOTION\n11 2\nZ 1 9\n*DYNAMIC\n0 60 METHOD=ROS2", "", "", "ROS2"),
         ("*MOTION\n11 1\nRY 5\n*QUASISTATIC\n1 L11E1 1", "", "", "does not turn them"),
         ("", "11 2 991 5 0", "11 2 500 5 0", "it would lie there in bends"),
     ],

@@ -62,7 +62,8 @@ def _section(section: LineSection, sea: Sea) -> str:
         f"WT {short(section.wall_thickness)} m, EI {short(section.bending_stiffness)} N m2, "
         f"EA {short(section.axial_stiffness)} N, mass {short(section.mass)} kg/m{fill}, "
         f"submerged weight {short(weight)} N/m, "
-        f"added-mass coefficient {short(section.added_mass_coefficient)}, {many}"
+        f"added-mass coefficient {short(section.added_mass_coefficient)}, "
+        f"drag coefficient {short(section.drag_coefficient)}, {many}"
     )
 
 

@@ -41,8 +41,9 @@ def line_report(told: dict[str, Any]) -> str:
     """The same in words: as it was laid, and after the last step."""
     name = f"{told['line']} {told['name']}".rstrip()
     kind = "in a vertical plane" if told["components"] == 2 else "in space"
-    lines = [f"{name}: {told['elements']} elements, {kind}, {told['steps']} steps"]
     last = told["steps"]
+    count = f"{last} step" if last == 1 else f"{last} steps"
+    lines = [f"{name}: {told['elements']} elements, {kind}, {count}"]
     for step, when in ((0, "laid"), (last, f"step {last}"))[: 2 if last else 1]:
         lines.append(
             f"    {when}: touchdown at {told['touchdown_distance'][step]:.5g} m, "

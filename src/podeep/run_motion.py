@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array
+from .database.read import open_database
 from .database.write import Writer
 from .deck.read import Deck
 from .errors import Fault, Interrupted, UserError
@@ -33,8 +34,9 @@ class MotionRun:
     """What a dynamic run did: its database, and how it went.
 
     time: s, that was reached. error: of the displacements, as it is estimated. dissipated: what
-    soil that remembers has lost, J. failure: why the rest of the time is missing; empty if nothing
-    is.
+    soil that remembers has lost, J. touchdowns: of each line on the seabed, by its name in the
+    database, from where to where its touchdown point moved, m from end 1. failure: why the rest of
+    the time is missing; empty if nothing is.
     """
 
     database: Path
@@ -47,6 +49,7 @@ class MotionRun:
     error: float
     accuracy: float
     dissipated: float
+    touchdowns: Mapping[str, tuple[float, float]]
     failure: str
 
     @property
@@ -54,6 +57,10 @@ class MotionRun:
         """The report in words."""
         mean = self.iterations / max(self.steps, 1)
         lost = f"    the soil has dissipated {self.dissipated:.4g} J\n" if self.dissipated else ""
+        touched = "".join(
+            f"    the touchdown point of {name} moves between {low:.2f} and {high:.2f} m\n"
+            for name, (low, high) in self.touchdowns.items()
+        )
         length = f"{self.step:.4g} s"
         if self.shortest_step < self.step:
             length = f"{self.shortest_step:.3g} to {self.step:.3g} s"
@@ -61,7 +68,7 @@ class MotionRun:
             f"Motion to {self.time:g} s: {self.steps} steps of {length}, "
             f"{mean:.1f} iterations a step\n"
             f"    estimated error of displacements {self.error:.1e}, asked {self.accuracy:.0e}\n"
-            f"{lost}"
+            f"{lost}{touched}"
             f"written: {self.database}, {self.records} times"
         )
 
@@ -87,15 +94,26 @@ def check_motion(scene: Scene) -> None:
         planes = needs(scene, foundation).components
         check_plane(planes, scene.numerics.hysteresis, foundation.name)
     names = [h.name for h in scene.harmonics] + [h.name for h in scene.series]
-    driven = [name for name in names if name in moved]
+    driven = [f"{name} is a displacement with a history" for name in names if name in moved]
+    driven += [
+        f"end {m.end} of line {m.line} is moved"
+        for m in scene.line_motions
+        if m.moves_in_time or m.name in names
+    ]
     if dynamics is not None and dynamics.method == "ROS2" and driven:
         raise UserError(
             Fault(
-                f"METHOD=ROS2 takes no imposed motion, but {driven[0]} is a displacement with a "
-                "history",
+                f"METHOD=ROS2 takes no imposed motion, but {driven[0]}",
                 "choose another method, or leave it to the program",
             )
         )
+
+
+def touchdowns(path: Path, names: Sequence[str]) -> dict[str, tuple[float, float]]:
+    """From where to where the touchdown points of lines moved, at the times of a database."""
+    with open_database(path) as database:
+        found = {name: database.line(name).read("touchdown_distance") for name in names}
+    return {name: (float(at.min()), float(at.max())) for name, at in found.items() if at.any()}
 
 
 def run_motion(
@@ -178,5 +196,6 @@ def run_motion(
             one.error,
         )
         lost = sum(motion.dissipated() for motion in one.motions)
-        return MotionRun(target, *counted, scene.numerics.accuracy, lost, failure)
+        touched = touchdowns(target, [book.name for book in books[len(piles) :]])
+        return MotionRun(target, *counted, scene.numerics.accuracy, lost, touched, failure)
     raise RuntimeError("unreachable")

@@ -22,9 +22,8 @@ from ..seabed.suction import Suction
 from ..soil.memory import Kept, nested, unnested
 
 _POINTS = 4  # more than the degree: the reaction has a corner where a line touches down
-_ORDER = ["einsum_path", (0, 1), (0, 1)]  # of products: the points are summed up last
 #: places on the way of a step where what has a memory is asked, and their shares of the mean
-_SHARES = tuple((0.5 + 0.5 * xi, 0.5 * weight) for xi, weight in zip(*gauss_points(3), strict=True))
+_SHARES, _WEIGHTS = (0.5 + 0.5 * gauss_points(3)[0], 0.5 * gauss_points(3)[1])
 
 
 def contact_points(field: Field, form: Form) -> tuple[Array, Array]:
@@ -108,23 +107,18 @@ class Bed:
         assert self._begun is not None
         place = self.places(q)
         start, end = self.level - self._begun[:, -1], self.level - place[:, -1]
-        asked = []
+        pressed = slope = np.zeros((len(_SHARES), len(start)))
         if isinstance(self.normal, Suction) or self.friction is not None:
-            asked = [
-                (share, weight, *self.normal.evaluate(start + share * (end - start)))
-                for share, weight in _SHARES
-            ]
+            pressed, slope = self.normal.evaluate(start + _SHARES[:, None] * (end - start))
         if isinstance(self.normal, Suction):
-            normal = sum(weight * force for _, weight, force, _ in asked)
-            self._stiffness = sum(weight * share * slope for share, weight, _, slope in asked)
+            normal, self._stiffness = _WEIGHTS @ pressed, (_WEIGHTS * _SHARES) @ slope
         else:
             normal, self._stiffness = mean_force(self.normal, start, end)
         self._start(place, normal)
         if self.friction is not None:
-            slip = self._slip(place)
-            for share, weight, pressed, _ in asked:
-                traction = self.friction.evaluate(share * slip, pressed)
-                self._drag(weight * traction.force, weight * share * traction.by_slip)
+            traction = self.friction.evaluate(_SHARES[:, None, None] * self._slip(place), pressed)
+            by_slip = np.tensordot(_WEIGHTS * _SHARES, traction.by_slip, 1)
+            self._drag(np.tensordot(_WEIGHTS, traction.force, 1), by_slip)
         return self._spread()
 
     def _start(self, place: Array, normal: Array) -> None:
@@ -157,7 +151,9 @@ class Bed:
         if not len(acts):  # most of a line hangs
             return
         shares = self._shares[acts]
-        own = np.einsum("enl,enij,enk->elikj", shares, each[acts], shares, optimize=_ORDER)
+        right = each[acts].reshape(len(acts), together, m * m, 1) * shares[:, :, None]
+        own = shares.swapaxes(1, 2) @ right.reshape(len(acts), together, -1)
+        own = own.reshape(len(acts), local, m, m, local).swapaxes(3, 4)
         i, j = self._pairs
         entries = own.reshape(len(acts), local * m, local * m)[:, i, j]
         band += scatter(self._places[acts], entries, band.size).reshape(band.shape, order="F")

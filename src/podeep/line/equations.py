@@ -19,7 +19,6 @@ from .bed import Bed
 from .rod import strained
 
 _FAR = 10.0  # times its length: how far from the origin a line may be
-_ORDER = ["einsum_path", (0, 1), (0, 1)]  # of products: the points are summed up last
 _SHIFTS = (1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4)  # of the diagonal, where the tangent has to be raised
 
 
@@ -83,6 +82,7 @@ class LineSystem:
         at = (elements, field.degree, field.local)
         #: of r, r' and r''
         self._shapes = [field.interpolation(s, d).shares.reshape(at) for d in range(3)]
+        self._stacked: Array = np.ascontiguousarray(np.stack(self._shapes, axis=2))
         #: element of each Gauss point; EA and EI there, N and N m2
         self.element: Index = np.repeat(np.arange(elements), field.degree)
         self.axial: Array = sections.axial[self.element]
@@ -131,14 +131,13 @@ class LineSystem:
     def _matrices(self, densities: Array, first: int) -> Array:
         """Derivatives as matrices of the elements, (elements, local, local)."""
         m, (count, local), parts = self.components, self.field.dofs.shape, densities.shape[1]
-        matrix = densities * self.weight[:, None, None, None, None]
-        matrix = matrix.reshape(count, -1, parts, m, parts, m)
-        functions = self._shapes[first : first + parts]
-        whole = np.zeros((count, local, m, local, m))
-        for one, left in enumerate(functions):
-            for other, right in enumerate(functions):
-                part = matrix[:, :, one, :, other]
-                whole += np.einsum("enl,enij,enk->elikj", left, part, right, optimize=_ORDER)
+        shapes = self._stacked[:, :, first : first + parts]
+        matrix = (densities * self.weight[:, None, None, None, None]).transpose(0, 1, 2, 4, 3)
+        points = shapes.shape[1]
+        right = matrix.reshape(count, points, -1, parts) @ shapes
+        left = shapes.reshape(count, points * parts, local).swapaxes(1, 2)
+        whole = left @ right.reshape(count, points * parts, -1)
+        whole = whole.reshape(count, local, m, m, local).swapaxes(3, 4)
         return np.asarray(whole.reshape(count, local * m, local * m))
 
     def _banded(self, matrices: Array) -> Array:

@@ -1,6 +1,9 @@
 """Lines on the seabed that are legal but risky."""
 
 from collections.abc import Iterator
+from math import pi, sin
+
+import numpy as np
 
 from ..scene import Line, Scene, SeabedContact
 from ..units import short
@@ -8,6 +11,7 @@ from .ranges import CONTACT_SLIPS, SLIPS
 from .risk import Risk, Value, rounded, slips, wall_slips, written
 
 _TAUT = 0.002  # strain at which steel of X65 is near its yield
+_JUMP = 0.01  # of the diameter: jump of an end that matters
 
 
 def line_risks(scene: Scene, id_: int) -> Iterator[Risk]:
@@ -24,9 +28,38 @@ def line_risks(scene: Scene, id_: int) -> Iterator[Risk]:
             remedy = "check RHO, MASS and FILL, the density of the contents"
             yield Risk(subject, "weight", numbers, rule, remedy)
     yield from _taut(line, subject)
+    yield from _motion(scene, line, subject)
     for contact in scene.seabed_contacts:
         if contact.line == id_:
             yield from _contact(scene, line, contact, subject)
+
+
+def _motion(scene: Scene, line: Line, subject: str) -> Iterator[Risk]:
+    """A line that moves without drag, and ends that do not begin where statics has left them."""
+    if scene.dynamics is None:
+        return
+    start = scene.dynamics.start
+    if all(section.drag_coefficient == 0.0 for section in line.sections):
+        numbers, rule = (
+            "CD = 0 in motion",
+            "the water takes no energy: what swings goes on swinging",
+        )
+        yield Risk(subject, "drag", numbers, rule, "give CD, about 1 for a bare pipe")
+    for moved in scene.line_motions:
+        if moved.line != line.id:
+            continue
+        jump = sum(
+            wave.amplitude * sin(2.0 * pi * start / wave.period + wave.phase)
+            for wave in moved.waves
+            if not wave.ramp
+        )
+        if moved.times:
+            jump += float(np.interp(start, moved.times, moved.values))
+        if abs(jump) > _JUMP * max(section.outer_diameter for section in line.sections):
+            numbers = f"{moved.dof} of end {moved.end} begins {rounded(jump, 'm')} from its place"
+            rule = "it jumps there in the first step, which shakes the line"
+            remedy = "give the wave a RAMP, or begin the record at 0"
+            yield Risk(subject, f"jump of {moved.dof}{moved.end}", numbers, rule, remedy)
 
 
 def _taut(line: Line, subject: str) -> Iterator[Risk]:

@@ -97,25 +97,25 @@ class Friction(Kept):
         less = (normal < before) & (before > _LEAST)
         share = np.divide(normal, before, out=np.ones_like(normal), where=less)
         slope = np.divide(1.0, before, out=np.zeros_like(normal), where=less)
-        return self.force * share[:, None], self.force * slope[:, None]
+        return self.force * share[..., None], self.force * slope[..., None]
 
     def _measured(self, trial: Array, limit: Array) -> tuple[Array, Array]:
         """A trial in units of its limit, and its size: of each direction, or of both together."""
         unit = np.divide(trial, limit, out=np.zeros_like(trial), where=limit > _LEAST)
         size = np.abs(unit)
         if not self.box:
-            size = np.repeat(np.hypot(unit[:, :1], unit[:, 1:]), 2, axis=1)
+            size = np.repeat(np.hypot(unit[..., :1], unit[..., 1:]), 2, axis=-1)
         return unit, size
 
     # --- the law ----------------------------------------------------------------------------------
 
     def evaluate(self, slip: Array, normal_force: Array) -> Traction:
-        """Friction after a slip (n, 2), m, since the last commit, under a normal force (n,).
+        """Friction after slips (..., n, 2), m, since the last commit, under normal forces (..., n).
 
         A normal force below 0, as suction has it, carries none.
         """
         normal = np.maximum(normal_force, 0.0)
-        limit = self.coefficient * normal[:, None]
+        limit = self.coefficient * normal[..., None]
         stiffness = self._stiffness(limit)
         carried, by_normal = self._carried(normal)
         trial = carried + stiffness * slip
@@ -125,17 +125,17 @@ class Friction(Kept):
         slides, bears = size > 1.0, limit > _LEAST
         size = np.where(slides, size, 1.0)
         force = np.where(bears, trial / size, 0.0)
-        by_trial = np.zeros((len(force), 2, 2))
-        by_trial[:, [0, 1], [0, 1]] = np.where(bears & ~(slides & self.box), 1.0 / size, 0.0)
+        by_trial = np.zeros((*force.shape, 2))
+        by_trial[..., [0, 1], [0, 1]] = np.where(bears & ~(slides & self.box), 1.0 / size, 0.0)
         if not self.box:  # the size grows with either trial
             towards = np.divide(
                 unit / size, size * limit, out=np.zeros_like(unit), where=slides & bears
             )
-            by_trial -= force[:, :, None] * towards[:, None, :]
-        slope = (by_trial @ by_normal[:, :, None])[:, :, 0]
+            by_trial -= force[..., None] * towards[..., None, :]
+        slope = (by_trial @ by_normal[..., None])[..., 0]
         slope += np.where(slides, self.coefficient * unit / size, 0.0)
         slope[normal_force < 0.0] = 0.0
-        return Traction(force, by_trial * stiffness[:, None, :], slope)
+        return Traction(force, by_trial * stiffness[..., None, :], slope)
 
     def commit(self, slip: Array, normal_force: Array) -> None:
         """The pipe has slipped so far, straight, while the normal force came to what it is."""
