@@ -138,8 +138,8 @@ def test_no_knock_is_so_short_that_a_stride_jumps_over_it():
 def test_trials_see_the_load_set_in():
     scene = knocked(end=40.0)
     assert scene.dynamics is not None
-    assert onset(scene.series[0]) == 1.0
-    assert onset(TimeSeries("A", (0.0, 2.0), (1.0, 1.0))) == 2.0
+    assert onset(scene.series[0].times, scene.series[0].factors) == 1.0
+    assert onset((0.0, 2.0), (1.0, 1.0)) == 2.0
     assert trial_span(scene, scene.dynamics, 1e-3) == pytest.approx(1.4)
 
 
