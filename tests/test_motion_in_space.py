@@ -54,9 +54,9 @@ def led_round(azimuth: float = 0.0, force: float = 4e6) -> Scene:
 
 def head(motion: Motion, steps: int, h: float = 0.05, share: float = 1e-8) -> Array:
     """Displacements of the head, (steps, components)."""
-    found = []
+    motion.method, found = Weighted(), []
     for _ in range(steps):
-        motion.step(Weighted(), h, motion.lateral.time + h, share, 60)
+        motion.step(h, motion.lateral.time + h, share, 60)
         found.append(motion.lateral.q[: motion.body.lateral.system.components])
     return np.array(found)
 
@@ -96,10 +96,11 @@ def test_energy_is_balanced_round_and_round() -> None:
         assert found is not None
         return found.T
 
+    motion.method = Weighted()
     taken = damped = 0.0
     for _ in range(240):
         before, force = motion.lateral, soil(motion.lateral.q)
-        motion.step(Weighted(), 0.025, motion.lateral.time + 0.025, 1e-9, 60)
+        motion.step(0.025, motion.lateral.time + 0.025, 1e-9, 60)
         after = motion.lateral
         moved = after.q - before.q
         felt = system.displacement(moved)
