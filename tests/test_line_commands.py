@@ -67,8 +67,8 @@ def test_a_line_in_words(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
         "1400 m: OD 0.3 m, WT 0.02 m, EI 3.46581e+07 N m2, EA 3.51858e+09 N, mass 140.743 kg/m, "
         "submerged weight 700.575 N/m, added-mass coefficient 1, drag coefficient 0, 100 elements",
         "235 m: OD 0.4 m, WT 0.03 m, EI 1.20133e+08 N m2, EA 6.97434e+09 N, mass 278.973 kg/m, "
-        "contents 900 kg/m3, submerged weight 2350.23 N/m, added-mass coefficient 2, drag coefficient 0, "
-        "elements by accuracy (default)",
+        "contents 900 kg/m3, submerged weight 2350.23 N/m, added-mass coefficient 2, "
+        "drag coefficient 0, elements by accuracy (default)",
     ]
     assert section(report, "seabed") == [
         "line 11 on the seabed at -1000 m: stiffness 50000 N/m2, friction 0.3 along and 0.6 "

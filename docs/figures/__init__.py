@@ -39,6 +39,7 @@ FIGURES = {
         seabed.seabed_friction,
         seabed.seabed_hyperbolic,
         lines.line_pipe_lifted,
+        lines.line_riser_heaving,
     )
 }
 

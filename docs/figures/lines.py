@@ -14,6 +14,7 @@ from podeep.seabed.pull_out import pull_out_of
 
 from .canvas import DASHED, INKS, KILO, SOLID, frame, legend, legend_and_styles, new_panels
 
+HEAVING = Path(__file__).parents[2] / "sample_dbs" / "riser_heaving.dst"
 LIFTED = Path(__file__).parents[2] / "sample_dbs" / "pipe_lifted.deck"
 
 
@@ -68,4 +69,23 @@ def line_pipe_lifted() -> Figure:
     frame(most, "Height of the end (m)", "Largest moment (kN m)", title="Largest of each state")
     most.set_ylim(-0.6)
     legend(most, "lower right", fontsize=8)
+    return figure
+
+
+def line_riser_heaving() -> Figure:
+    """Where a heaving riser touches down, and what the seabed gives along it in half a wave."""
+    with open_database(HEAVING) as database:
+        line = database.line("L1")
+        time, s = line.read("time"), line.points
+        touchdown, reaction = line.read("touchdown_distance"), line.read("normal_reaction")
+    figure, (when, where) = new_panels(2, 4.0, width_ratios=(1.0, 1.2))
+    when.plot(time, touchdown, color=INKS[0], ls=SOLID, lw=1.6)
+    frame(when, "Time (s)", "Touchdown from end 1 (m)", float(time[-1]), title="In time")
+    for ink, at in zip(INKS, (31.5, 34.5, 36.0), strict=False):
+        row = int(np.abs(time - at).argmin())
+        where.plot(s, KILO * reaction[row], color=ink, ls=SOLID, lw=1.6, label=f"{time[row]:g} s")
+    frame(where, "Distance along the line (m)", "Normal reaction (kN/m)", title="Along the line")
+    where.set_xlim(0.0, 50.0)
+    where.axhline(0.0, color=ZERO, lw=0.8)
+    legend(where, "upper right", title="Time")
     return figure
