@@ -9,7 +9,7 @@ from manual import DOCS
 from podeep import motion_log, run_motion
 from podeep.deck.read import read_deck
 from podeep.motion import METHODS, Harmonic
-from podeep.solve import dynamics, pace, plan
+from podeep.solve import dynamics, pace, plan, ready
 from podeep.solve.drive import harmonic
 from podeep.solve.integrators import Weighted
 
@@ -65,7 +65,7 @@ def test_numbers_in_prose() -> None:
         f"below {100 * plan._SHARE:g} % of the accuracy",
         f"$(TFIN - TINI)/{motion_log.RECORDS}$",
     )
-    assert (plan.AIM, pace.FINER, plan._MESH_SHARE) == (0.5, 0.5, 0.5)
+    assert (plan.AIM, pace.FINER, ready._MESH_SHARE) == (0.5, 0.5, 0.5)
 
 
 def test_the_ramp_is_half_a_wave_of_a_cosine() -> None:
