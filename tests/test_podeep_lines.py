@@ -50,13 +50,6 @@ def test_a_sign_means_the_same_of_lines_and_foundations_static_and_dynamic(signs
             assert [(r.name, r.quantity) for r in requests] == [("L1", quantity)]
 
 
-@pytest.mark.parametrize("sign", ["e", "b", "8", "9"])
-def test_tension_and_moment_have_no_envelope(sign):
-    requests, _ = session("h\ne\nn\n0 9 2\n", MOVING)
-    assert [(r.analysis, r.quantity) for r in requests] == [("envelope", "normal_reaction")]
-    assert f"'{sign}' is not one of 1, 2, 3, 4, 6, 7, 5, q" in refusal(f"h\ne\n{sign}", MOVING)
-
-
 @pytest.mark.parametrize("sign", ["5", "o"])
 def test_other_keeps_its_signs(sign):
     for source, start in ((RISER, "g\nf"), (MOVING, "h\nf")):
@@ -171,9 +164,9 @@ def test_tension_and_moment_of_a_riser_in_a_file(tmp_path, quantity):
     assert axes_of(draw(curves, ORIGIN)).get_ylabel() in pair["Result"]
 
 
-@pytest.mark.parametrize("quantity", [*LINE.quantities, *LINE.inner])
+@pytest.mark.parametrize("quantity", LINE.quantities)
 def test_every_result_of_a_line_says_which_way_it_counts(quantity):
-    stored = LINE.inner.get(quantity, quantity)
+    stored = LINE.stored(quantity)
     curves = snapshot(data(stored, lambda a, s: a + s), quantity, np.array([1.0]), [1])
     assert "positive" in dict(heading(curves, ORIGIN))["Result"]
 

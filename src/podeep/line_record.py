@@ -9,6 +9,7 @@ from .line.assemble import Plane
 from .line.results import LineResults
 from .record import Sheet
 from .scene import Scene
+from .subject import LINE
 
 _BETWEEN = 4  # distances of the grid in each element: what is stored is read in straight lines
 
@@ -50,24 +51,23 @@ def line_values(
     """
     s, touchdown = grid.distance, results.touchdown()
     place = plane.outside(results.position(s))
+    values = shown(results, laid, plane, grid)
     return {
-        **shown(results, laid, plane, grid),
+        **{LINE.stored(name): value for name, value in values.items()},
         "touchdown_distance": touchdown,
         "touchdown_x": np.array(
-            [np.interp(td, s, x) for td, x in zip(touchdown, place[..., 0], strict=True)]
+            [np.interp(at, s, x) for at, x in zip(touchdown, place[..., 0], strict=True)]
         ),
         "line/position_x": place[..., 0],
         "line/position_y": place[..., 1],
         "line/position_z": place[..., 2],
-        "line/effective_tension": results.tension(s),
-        "line/bending_moment": results.moment(s),
     }
 
 
 def shown(
     results: LineResults, laid: LineResults, plane: Plane, grid: LineGrid
 ) -> dict[str, Array]:
-    """The quantities of a line that have an envelope; see `line_values`."""
+    """What is shown of a line, by the names of `subject.LINE`; see `line_values`."""
     s = grid.distance
     place = plane.outside(results.position(s))
     along, across = _directions(laid, plane, s)
@@ -80,6 +80,8 @@ def shown(
         "axial_force": np.einsum("snc,nc->sn", reaction, along),
         "penetration": grid.mudline - place[..., 2],
         "normal_reaction": -reaction[..., 2],
+        "effective_tension": results.tension(s),
+        "bending_moment": results.moment(s),
     }
 
 

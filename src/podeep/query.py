@@ -154,7 +154,7 @@ def _at_points(data: "Stored", quantity: str, points: Array, rows: list[int] | N
     lateral = quantity.startswith("lateral")
     suffixes = ("_x", "_y") if data.spatial and lateral else ("",)
     slope = data.subject.slopes.get(quantity)
-    stored = data.subject.inner.get(quantity, quantity)
+    stored = data.subject.stored(quantity)
     names = (stored,) if slope is None else (stored, slope)
     count = len(data.axis) if rows is None else len(rows)
     found = np.empty((len(suffixes), len(points), count)).swapaxes(1, 2)

@@ -16,9 +16,9 @@ class Subject:
 
     initial: of its ids, as F of F1. coordinate: dimension of its results, m. where: what the
     coordinate measures; reference: from where; positive, order: which way it counts. start: what
-    the state of step 0 is. quantities: what is shown of it, and has an envelope. inner: what is
-    shown without one, and where the database holds it. slopes: variables that hold the derivative
-    by the coordinate of some quantities; the others are straight between two points.
+    the state of step 0 is. quantities: what is shown of it, and has an envelope. inner: where
+    the database holds those that do not stand beside the others. slopes: variables that hold the
+    derivative by the coordinate of some quantities; the others are straight between two points.
     """
 
     name: str
@@ -33,7 +33,12 @@ class Subject:
     inner: Mapping[str, str]
     slopes: Mapping[str, str]
 
+    def stored(self, quantity: str) -> str:
+        """The path of a quantity in the group."""
+        return self.inner.get(quantity, quantity)
 
+
+_INNER = ("effective_tension", "bending_moment")
 _BOTH = ("lateral_displacement", "lateral_force", "axial_displacement", "axial_force")
 
 FOUNDATION = Subject(
@@ -59,8 +64,8 @@ LINE = Subject(
     positive="from end 1",
     order="before or beyond the first",
     start="the state at the end of laying",
-    quantities=(*_BOTH, "penetration", "normal_reaction"),
-    inner={q: f"line/{q}" for q in ("effective_tension", "bending_moment")},
+    quantities=(*_BOTH, "penetration", "normal_reaction", *_INNER),
+    inner={quantity: f"line/{quantity}" for quantity in _INNER},
     slopes={},
 )
 

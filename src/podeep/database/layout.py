@@ -72,9 +72,13 @@ class Layout:
         return found
 
     @property
-    def shown(self) -> list[tuple[str, str]]:
-        """What has an envelope: name of the group, and of the quantity."""
-        return [(grid.name, q) for grid in self.grids for q in grid.subject.quantities]
+    def shown(self) -> list[tuple[str, str, str]]:
+        """What has an envelope: name of the group, of the quantity, and its path in the group."""
+        return [
+            (grid.name, quantity, grid.subject.stored(quantity))
+            for grid in self.grids
+            for quantity in grid.subject.quantities
+        ]
 
     @cached_property
     def rows(self) -> dict[str, Place]:

@@ -37,6 +37,23 @@ _PROFILE = (
     ),
 )
 
+_INNER = (
+    _result(
+        "effective_tension",
+        "N",
+        "effective tension",
+        "true wall tension with the pressures of what is inside and outside; negative: compression",
+        group="line",
+    ),
+    _result(
+        "bending_moment",
+        "N m",
+        "bending moment",
+        "positive sagging in a planar scene, its size in a spatial one",
+        group="line",
+    ),
+)
+
 LINE_VARIABLES: tuple[Variable, ...] = (
     *axes(LINE),
     Variable(
@@ -59,25 +76,12 @@ LINE_VARIABLES: tuple[Variable, ...] = (
     Variable(
         "touchdown_x", ("axis",), "m", "x of the touchdown point", "global axes, as the line lies"
     ),
-    *extremes(_PROFILE, LINE),
+    *extremes((*_PROFILE, *_INNER), LINE),
     *PROGRESS,
     *(
         _result(f"position_{a}", "m", f"position along {a}", "global axes", group="line")
         for a in "xy"
     ),
     _result("position_z", "m", "elevation above sea level", "global axes, z up", group="line"),
-    _result(
-        "effective_tension",
-        "N",
-        "effective tension",
-        "true wall tension with the pressures of what is inside and outside; negative: compression",
-        group="line",
-    ),
-    _result(
-        "bending_moment",
-        "N m",
-        "bending moment",
-        "positive sagging in a planar scene, its size in a spatial one",
-        group="line",
-    ),
+    *_INNER,
 )

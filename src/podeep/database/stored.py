@@ -108,7 +108,8 @@ class Stored:
         found: dict[str, Values] = {}
         for first in range(0, len(self.axis), _BLOCK):
             block = slice(first, first + _BLOCK)
-            widen(found, quantity, self.read(quantity, block), self.axis[block])
+            rows = self.read(self.subject.stored(quantity), block)
+            widen(found, quantity, rows, self.axis[block])
         return {e: found[f"{quantity}_{e}"] for e in EXTREMES}
 
     def _load(self, name: str, selection: tuple[Any, ...]) -> Array:

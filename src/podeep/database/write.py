@@ -137,7 +137,7 @@ class Writer:
         """A state of the run, and what this writer adds to it."""
         if state is None:
             return None
-        paths = [f"{g}/envelope/{q}_{e}" for g, q in self._layout.shown for e in EXTREMES]
+        paths = [f"{g}/envelope/{q}_{e}" for g, q, _ in self._layout.shown for e in EXTREMES]
         bounds = {f"{_BOUNDS}{path}": self._envelope.get(path, np.empty(0)) for path in paths}
         return {**state, _ROWS: np.array(self._committed + self._waiting), **bounds}
 
@@ -266,9 +266,9 @@ class Writer:
         if not self._waiting:
             return {}
         rows = {path: kept[: self._waiting] for path, kept in self._rows.items()}
-        for name, quantity in self._layout.shown:
+        for name, quantity, stored in self._layout.shown:
             path = f"{name}/envelope/{quantity}"
-            widen(self._envelope, path, rows[f"{name}/{quantity}"], rows[self._axes[name]])
+            widen(self._envelope, path, rows[f"{name}/{stored}"], rows[self._axes[name]])
         return rows
 
     def finish(self, status: Literal["complete", "stopped"], stop_reason: str = "") -> None:

@@ -7,7 +7,6 @@ The flow knows neither terminal nor database: a console asks, and `answer` makes
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import get_args
 
 from ..arrays import Array
 from ..query import DatabaseKind, Kind
@@ -18,7 +17,6 @@ from .points import Extent, ask_all, ask_points, ask_step, ask_times
 from .question import Choice, Leave, Question, Refused, Up, Way, menu
 
 _MOST = 10  # curves of a step evolution
-_KINDS: tuple[Kind, ...] = get_args(Kind)
 _EXIT: Choice[Way] = Choice("Exit", "q", Leave)
 _OTHER_ANALYSIS: Choice[Way] = Choice("Other analysis", "o", Up)
 
@@ -69,13 +67,13 @@ class _Analysis:
 class _Flow:
     """Menus and wordings of one kind of database; fewer than `least` rows have no evolution.
 
-    types: the menu of results by the name of the subject and the kind of analysis.
+    types: the menu of results by the name of the subject.
     """
 
     label: str
     sign: str
     analyses: Question[_Analysis]
-    types: Mapping[tuple[str, Kind], Question[str]]
+    types: Mapping[str, Question[str]]
     counting: str
     least: int
     too_few: str
@@ -106,6 +104,7 @@ def _analyses(
 ) -> None:
     flow = _FLOWS[source.kind]
     extent = source.extents[name]
+    types = flow.types[extent.subject.name]
     while True:
         analysis = console.ask(flow.analyses)
         if analysis.kind == "step_evolution" and len(extent.rows) < flow.least:
@@ -113,7 +112,7 @@ def _analyses(
             continue
         with suppress(Up):
             while True:
-                quantity = console.ask(flow.types[extent.subject.name, analysis.kind])
+                quantity = console.ask(types)
                 with suppress(Up):
                     points = ask_points(console, extent, analysis.most, flow.counting)
                     at = analysis.when(console, extent)
@@ -146,11 +145,13 @@ def _choose(console: Console, extents: Mapping[str, Extent]) -> str:
     )
 
 
-def _types(kind: DatabaseKind, subject: Subject, analysis: Kind) -> Question[str]:
+def _types(kind: DatabaseKind, subject: Subject) -> Question[str]:
     """The menu of results; it takes the signs of the other kind of database too."""
     own = 0 if kind == "static" else 1
-    keys = subject.quantities if analysis == "envelope" else (*subject.quantities, *subject.inner)
-    choices = [Choice(QUANTITIES[key].title, _SIGNS[key][own], key, _SIGNS[key]) for key in keys]
+    choices = [
+        Choice(QUANTITIES[key].title, _SIGNS[key][own], key, _SIGNS[key])
+        for key in subject.quantities
+    ]
     ways: list[Choice[Way]] = [Choice("Other", _OTHER[own], Up, _OTHER), _EXIT]
     return menu(choices, ways, head="Type of results:")
 
@@ -169,7 +170,7 @@ _FLOWS = {
             [_OTHER_ANALYSIS, _EXIT],
             in_line="Step evolution <t>, Snapshot <f>, Other analysis <o>, exit<q>",
         ),
-        types={(s.name, a): _types("static", s, a) for s in SUBJECTS for a in _KINDS},
+        types={s.name: _types("static", s) for s in SUBJECTS},
         counting="Number of calculation points",
         least=3,
         too_few="No step evolution: only one static step is defined",
@@ -182,7 +183,7 @@ _FLOWS = {
             [_OTHER_ANALYSIS, _EXIT],
             in_line="Step evolution <t>, Snapshot <f>, Envelop <e>, Other analysis <o>, exit<q>",
         ),
-        types={(s.name, a): _types("dynamic", s, a) for s in SUBJECTS for a in _KINDS},
+        types={s.name: _types("dynamic", s) for s in SUBJECTS},
         counting="Number of divisions",
         least=2,
         too_few="No step evolution: only one time is stored",
