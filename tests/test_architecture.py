@@ -10,7 +10,7 @@ SOURCE = Path(__file__).parents[1] / "src" / "podeep"
 #: Every module, lowest first: a file imports only from files above it in this list.
 ORDER = """
 __init__ arrays errors files units subject tubes motion lines scene
-soil.__init__ soil.group soil.polyline soil.law
+soil.__init__ soil.group soil.polyline soil.way soil.law
 seabed.__init__ seabed.parameters seabed.bearing seabed.at_rest seabed.law seabed.powers
 seabed.verley_lund seabed.f114 seabed.dnv14 seabed.audibert seabed.models seabed.stiffness
 seabed.lay seabed.bounds seabed.pull_out
@@ -33,7 +33,7 @@ seabed.normal seabed.friction seabed.suction
 seabed.hyperbolic seabed.breakout
 beam.__init__ beam.shapes beam.strings beam.rows beam.field beam.band beam.bubbles
 model.__init__ model.needs model.mesh model.weave model.compression model.contact model.points
-model.moduli model.springs model.system model.many model.footing model.holds model.weight
+model.moduli model.springs model.system model.many model.mean model.footing model.holds model.weight
 model.around model.assemble model.inertia model.remember
 model.recover model.results model.moved model.coupling model.effects model.grid
 solve.__init__ solve.newton solve.advance solve.yielding solve.rubbing solve.statics solve.loaded

@@ -189,7 +189,7 @@ def test_what_needs_a_run(tmp_path: Path, keyword: str) -> None:
         ("*DYNAMIC\n0 60 0 7 2 METHOD=HHT", "METHOD=HHT holds in place of IOPDYN 2"),
         (
             RUN + "*DYNIMP\n30 DELTA=0.6",
-            "DELTA of *DYNIMP is for Newmark, and has no effect on HHT",
+            "DELTA of *DYNIMP is for Newmark, and has no effect on the default method",
         ),
         (
             "*DYNAMIC\n0 60 METHOD=BATHE\n*DYNIMP\n30 ALPHA=0.3",

@@ -85,7 +85,7 @@ def test_everything_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
             "*DYNAMIC\n0 60",
             [
                 "from 0 to 60 s",
-                "method HHT with alpha = -0.05",
+                "method HHT with alpha = -0.05 (default)",
                 "step as the accuracy asks for (default)",
                 "at most 30 iterations a step, balanced to 0.1 or better",
                 "a record each step or thousandth of the run, whichever is longer (default)",
@@ -93,13 +93,20 @@ def test_everything_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
                 "curve from there",
             ],
         ),
-        ("*DYNAMIC\n0 60 METHOD=HHT", ["from 0 to 60 s", "method HHT"]),
+        ("*DYNAMIC\n0 60 METHOD=HHT", ["from 0 to 60 s", "method HHT with alpha = -0.05"]),
         ("*DYNAMIC\n0 60 METHOD=GALPHA", ["from 0 to 60 s", "method generalised alpha"]),
         ("*DYNAMIC\n0 60 METHOD=BATHE", ["from 0 to 60 s", "method Bathe's of two stages"]),
         ("*DYNAMIC\n0 60 METHOD=ROS2", ["from 0 to 60 s", "method Rosenbrock's of two stages"]),
         (
             "*DYNAMIC\n0 60 METHOD=CENTRAL",
             ["from 0 to 60 s", "method explicit central differences"],
+        ),
+        (
+            "*DYNAMIC\n0 60 METHOD=CONSERVE",
+            [
+                "from 0 to 60 s",
+                "method trapezoidal with the mean force of a step, which keeps energy",
+            ],
         ),
         (
             "*DYNAMIC\n0 60 0.1 METHOD=NEWMARK",

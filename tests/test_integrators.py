@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from podeep.arrays import Array
+from podeep.solve.conserving import Conserving
 from podeep.solve.equations import State
 from podeep.solve.integrators import (
     Bathe,
@@ -16,7 +17,7 @@ from podeep.solve.integrators import (
     Weighted,
 )
 from podeep.solve.stage import Effort, Patience
-from podeep.study.oscillator import Oscillators, history, linear, one, power
+from podeep.study.oscillator import MeanLaw, Oscillators, history, linear, one, power
 
 METHODS = {
     "NEWMARK": Weighted(),
@@ -27,6 +28,7 @@ METHODS = {
     "BATHE": Bathe(),
     "ROS2": Rosenbrock(),
     "CENTRAL": CentralDifference(),
+    "CONSERVE": Conserving(),
 }
 every_method = pytest.mark.parametrize("name", METHODS)
 
@@ -41,7 +43,11 @@ def duffing() -> Oscillators:
 
 
 def end_of(method: Integrator, steps: int) -> tuple[float, float]:
-    states, _ = history(method, duffing(), np.array([0.2]), np.array([-0.5]), 3.0 / steps, steps)
+    equations, start = duffing(), np.array([0.2])
+    if method.mean:
+        mean = MeanLaw(equations.spring, start)
+        equations.spring, equations.commits = mean, mean.commit
+    states, _ = history(method, equations, start, np.array([-0.5]), 3.0 / steps, steps)
     return float(states[-1].q[0]), float(states[-1].velocity[0])
 
 

@@ -55,6 +55,7 @@ def drawn_data(**more) -> MotionChart:
         "a pile",
         "F1",
         Dynamics(0.0, 60.0),
+        "HHT",
         8.0,
         4.0,
         "machine",

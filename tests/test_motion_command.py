@@ -47,6 +47,29 @@ def run(folder: Path, text: str, *arguments: str) -> int:
     return main(["run", str(path), "-o", str(folder), "--force", *arguments])
 
 
+KNOCKING = (
+    "*DEPTH\n0\n*GROUNDEPTH\n0 -40\n*PYCURVE\n1 1 60e3 8e3 0.5 0.01\n"
+    "*TZCURVE, SHAPE=2GEO\n1 0\n1 60e3 8e3\n*GROUNDPROP\n1 1 1 1\n"
+    "*CASING\n1 OUTER\n5 -30 1.0 0.03 210e9 7850\n*CASING\n2 INNER\n6 -30 0.5 0.02 210e9 7850\n"
+    "*FONDATION\n1 1 2\n*SLAVE\n1 2 CEMENTED -10 -30\n*TYPCONTACT\n1 2 2 0 GAP=0.05\n"
+    "*LOAD\nSWAY 2 6 3e5 0 0\n*HARMONIC\nSWAY 2.0 0\n*MASS\n2 6 1e3\n*ACCURACY\n1e-1\n"
+    "*DYNAMIC\n0 0.3 0.02{method}\n*EXEC\n"
+)
+
+
+@pytest.mark.parametrize(("method", "told"), [("", True), (" METHOD=HHT", False)])
+def test_the_default_method_is_told_where_tubes_can_knock(tmp_path, capsys, method, told):
+    assert run(tmp_path, KNOCKING.format(method=method)) == ExitCode.DONE
+    text = capsys.readouterr().out
+    assert ("    followed by METHOD=CONSERVE: tubes have room to knock\n" in text) is told
+    with open_database(tmp_path / "case.dst") as database:
+        left = database.foundation("F1").read("convergence/residual")
+    assert bool(left[1:].max() < 1e-6) is told
+    assert main(["check", str(tmp_path / "case.deck")]) == ExitCode.DONE
+    named = "method trapezoidal with the mean force of a step, which keeps energy (default)"
+    assert (named in " ".join(capsys.readouterr().out.split())) is told
+
+
 def test_a_motion_is_written_beside_the_statics(tmp_path, capsys):
     assert run(tmp_path, deck(friction(0.9, 40.0), SWAY), "--json") == ExitCode.DONE
     told = json.loads(capsys.readouterr().out)["motion"]

@@ -6,13 +6,13 @@ from math import degrees
 from .scene import Dynamics, Ground, Method, Scene
 from .units import short
 
-_METHODS: Mapping[Method | None, str] = {
-    None: "HHT with alpha = -0.05",
-    "HHT": "HHT",
+_METHODS: Mapping[Method, str] = {
+    "HHT": "HHT with alpha = -0.05",
     "GALPHA": "generalised alpha",
     "BATHE": "Bathe's of two stages",
     "ROS2": "Rosenbrock's of two stages",
     "CENTRAL": "explicit central differences",
+    "CONSERVE": "trapezoidal with the mean force of a step, which keeps energy",
 }
 #: The soil's force in motion, by IDRE.
 _RULES = (
@@ -26,7 +26,10 @@ _RULES = (
 def motion_lines(scene: Scene) -> Iterator[str]:
     """What drives the motion, what damps it, and how it is followed; nothing without these."""
     if scene.dynamics is not None:
-        yield from run_lines(scene.dynamics)
+        default = scene.default_method if scene.foundations else "CONSERVE"
+        yield from run_lines(scene.dynamics, default)
+        if scene.dynamics.method is None and scene.lines and default != "CONSERVE":
+            yield f"method of lines {_METHODS['CONSERVE']} (default)"
         if scene.foundations:
             yield f"force of the soil: {_RULES[scene.ground.dynamic_rule]}"
     for sine in scene.harmonics:
@@ -55,11 +58,12 @@ def motion_lines(scene: Scene) -> Iterator[str]:
         )
 
 
-def run_lines(dynamics: Dynamics) -> Iterator[str]:
+def run_lines(dynamics: Dynamics, default: Method) -> Iterator[str]:
     """The run: its times, its method, its steps, their limits and records."""
+    method = dynamics.method or default
     yield f"from {short(dynamics.start)} to {short(dynamics.end)} s"
     newmark = f"Newmark with gamma {short(dynamics.gamma)} and beta {short(dynamics.beta)}"
-    yield f"method {_METHODS.get(dynamics.method, newmark)}"
+    yield f"method {_METHODS.get(method, newmark)}{'' if dynamics.method else ' (default)'}"
     if dynamics.step is None:
         step = "as the accuracy asks for (default)"
     else:

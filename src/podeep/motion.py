@@ -3,13 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Literal
+from typing import Literal, get_args
 
 from .errors import InvalidData
 
 Dof = Literal["X", "Y", "Z", "RX", "RY", "RZ"]
-Method = Literal["NEWMARK", "HHT", "GALPHA", "BATHE", "ROS2", "CENTRAL"]
-METHODS: tuple[Method, ...] = ("NEWMARK", "HHT", "GALPHA", "BATHE", "ROS2", "CENTRAL")
+Method = Literal["NEWMARK", "HHT", "GALPHA", "BATHE", "ROS2", "CENTRAL", "CONSERVE"]
+METHODS: tuple[Method, ...] = get_args(Method)
 Hysteresis = Literal["ELASTIC", "MASING", "GAP"]
 
 

@@ -35,8 +35,9 @@ class MotionRun:
 
     time: s, that was reached. error: of the displacements, as it is estimated. dissipated: what
     soil that remembers has lost, J. touchdowns: of each line on the seabed, by its name in the
-    database, from where to where its touchdown point moved, m from end 1. failure: why the rest of
-    the time is missing; empty if nothing is.
+    database, from where to where its touchdown point moved, m from end 1. keeps: the default has
+    become the method that keeps energy, as tubes can knock against each other. failure: why the
+    rest of the time is missing; empty if nothing is.
     """
 
     database: Path
@@ -50,6 +51,7 @@ class MotionRun:
     accuracy: float
     dissipated: float
     touchdowns: Mapping[str, tuple[float, float]]
+    keeps: bool
     failure: str
 
     @property
@@ -61,6 +63,7 @@ class MotionRun:
             f"    the touchdown point of {name} moves between {low:.2f} and {high:.2f} m\n"
             for name, (low, high) in self.touchdowns.items()
         )
+        method = "    followed by METHOD=CONSERVE: tubes have room to knock\n" if self.keeps else ""
         length = f"{self.step:.4g} s"
         if self.shortest_step < self.step:
             length = f"{self.shortest_step:.3g} to {self.step:.3g} s"
@@ -68,7 +71,7 @@ class MotionRun:
             f"Motion to {self.time:g} s: {self.steps} steps of {length}, "
             f"{mean:.1f} iterations a step\n"
             f"    estimated error of displacements {self.error:.1e}, asked {self.accuracy:.0e}\n"
-            f"{lost}{touched}"
+            f"{lost}{touched}{method}"
             f"written: {self.database}, {self.records} times"
         )
 
@@ -197,5 +200,6 @@ def run_motion(
         )
         lost = sum(motion.dissipated() for motion in one.motions)
         touched = touchdowns(target, [book.name for book in books[len(piles) :]])
-        return MotionRun(target, *counted, scene.numerics.accuracy, lost, touched, failure)
+        keeps = dynamics.method is None and scene.default_method == "CONSERVE"
+        return MotionRun(target, *counted, scene.numerics.accuracy, lost, touched, keeps, failure)
     raise RuntimeError("unreachable")

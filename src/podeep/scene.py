@@ -312,6 +312,13 @@ class Scene:
     suctions: Mapping[int, Suction] = field(default_factory=lambda: MappingProxyType({}))
     line_motions: tuple[LineMotion, ...] = ()
 
+    @property
+    def default_method(self) -> Method:
+        """What follows motion where no method is named: what keeps energy where tubes have room to
+        knock against each other, the original's elsewhere."""
+        rooms = any(contact.clearance != 0.0 for contact in self.slidings)
+        return "CONSERVE" if rooms else "HHT"
+
     def spudcan(self, foundation: Foundation) -> Spudcan | None:
         """The spudcan under a foundation, if it has one."""
         return next((s for s in self.spudcans if s.tube in foundation.tubes), None)

@@ -55,7 +55,7 @@ def _notes(read: Mapping[str, Values], dynamics: Dynamics) -> Iterator[str]:
     elif option in _PREDICTED:
         yield f"IOPDYN {option} is plain Newmark here: where a step starts to iterate is our choice"
     if step is not None and dynamics.method != "NEWMARK":
-        name: str = dynamics.method or "HHT"
+        name: str = dynamics.method or "the default method"
         for column in ("DELTA", "ALPHA"):
             if column in step.places:
                 yield f"{column} of *DYNIMP is for Newmark, and has no effect on {name}"

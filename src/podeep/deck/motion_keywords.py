@@ -154,7 +154,8 @@ DYNAMIC = Keyword(
     "formula is not public. IOPDYN 2 to 4, with the predictors X, X + V DT and X + V DT + A DT2/2, "
     "are plain Newmark: where a step starts to iterate is the solver's choice. By name: NEWMARK; "
     "HHT; GALPHA, generalised alpha; BATHE, two stages a step; ROS2, Rosenbrock's of two stages; "
-    "CENTRAL, explicit differences.",
+    "CENTRAL, explicit differences; CONSERVE, which keeps energy in contacts: the default where "
+    "*TYPCONTACT leaves tubes room.",
     once=True,
     optioned=True,
 )

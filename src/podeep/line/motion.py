@@ -113,6 +113,9 @@ class MovingLine:
         bed = self.equations.system.bed
         return (self.now, None if bed is None else bed.standing()), None
 
+    def settled(self, pair: Pair) -> Pair:
+        return pair
+
     def state(self) -> dict[str, Array]:
         sums = (self.time, self.work, self.force, self.reach, self.left)
         memory = {f"memory/{part}": value for part, value in self.equations.state().items()}

@@ -46,6 +46,10 @@ class Gap(Law):
     def capacity(self) -> Array:
         return np.full(len(self.clearance), np.inf)
 
+    @property
+    def corners(self) -> Array:
+        return np.stack([self.clearance, self.clearance + self.tolerance])
+
     def evaluate(self, u: Array) -> tuple[Array, Array]:
         depth, slope = rounded(np.abs(u) - self.clearance, self.tolerance)
         return np.copysign(self.contact_stiffness * depth, u), self.contact_stiffness * slope

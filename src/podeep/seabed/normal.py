@@ -10,7 +10,6 @@ z = e (derived; seen by continuity).
 """
 
 from dataclasses import dataclass
-from functools import cache
 from typing import ClassVar
 
 import numpy as np
@@ -19,6 +18,7 @@ from ..arrays import Array
 from ..soil.energy import energy
 from ..soil.memory import Backbone
 from ..soil.polyline import Values
+from ..soil.way import crossed, mean_of
 from .bounds import POSITIVE, within
 
 
@@ -90,35 +90,13 @@ class Winkler:
         return np.asarray(self.stiffness * (soft**3 / (6.0 * e) + 0.5 * beyond * (beyond + e)))
 
 
-@cache
-def _gauss(count: int) -> tuple[Array, Array]:
-    """Gauss points between 0 and 1, and their weights."""
-    nodes, weights = np.polynomial.legendre.leggauss(count)
-    return 0.5 * (nodes + 1.0), 0.5 * weights
-
-
 def mean_force(bed: Winkler | OneSided, start: Array, end: Array) -> tuple[Array, Array]:
     """Mean force on the way between two penetrations, (n,), and its derivative to the end.
 
     Times the way it is what the bed stores on it: the discrete gradient (U1 - U0)/(z1 - z0),
     without its cancellation on short ways; to rounding for `Winkler`, to 1e-6 for a power behind a
     rounded corner. With it a contact gives back in time steps what it has taken, neither more nor
-    less (`solve.conserving`).
-
-    Integrated by Gauss points between the corners of the law, at 0 and at the tolerance. Source:
-    discrete gradients after Gonzalez, J. Nonlinear Sci. 6 (1996), from memory.
+    less (`solve.conserving`). See `soil.way.mean_of`; corners are at 0 and at the tolerance.
     """
-    way = end - start
-    corners = np.zeros((4, *way.shape))
-    with np.errstate(over="ignore"):  # a corner far beyond a short way
-        for place, corner in enumerate((0.0, bed.tolerance), 1):
-            np.divide(corner - start, way, out=corners[place], where=way != 0.0)
-    corners[3] = 1.0
-    corners = np.sort(np.clip(corners, 0.0, 1.0), axis=0)
-    length = np.diff(corners, axis=0)[:, None]
-    shares, weights = _gauss(bed.nodes)
-    column = (-1, *(1,) * way.ndim)
-    share = corners[:-1, None] + length * shares.reshape(column)
-    weight = length * weights.reshape(column)
-    force, stiffness = bed.evaluate(start + share * way)
-    return np.sum(weight * force, axis=(0, 1)), np.sum(weight * share * stiffness, axis=(0, 1))
+    corners = np.stack([np.zeros_like(start), np.broadcast_to(bed.tolerance, start.shape)])
+    return mean_of(bed.evaluate, start, end, crossed(corners, start, end), bed.nodes)

@@ -52,6 +52,10 @@ class _Fan(Polyline):
         intercept = v - slope * x
         return x, np.arange(shape[1]) - shape[1], intercept.ravel(), (slope / self.scale).ravel()
 
+    @cached_property
+    def corners(self) -> Array:
+        return np.asarray(self._segments[0][1:] * self.scale)
+
     def evaluate(self, u: Array) -> tuple[Array, Array]:
         edges, offset, intercept, slope = self._segments
         size = np.abs(u)

@@ -5,6 +5,8 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import ClassVar
 
+import numpy as np
+
 from ..arrays import Array
 from .polyline import Polyline
 
@@ -38,6 +40,12 @@ class Law(ABC):
     def polyline(self) -> Polyline | None:
         """The straight lines that the law is; None where it is more."""
         return None
+
+    @property
+    def corners(self) -> Array:
+        """Displacements, either way, at which the slope jumps or has no bound, (corners, n), m."""
+        lines = self.polyline
+        return np.zeros((0, len(self.capacity))) if lines is None else lines.corners
 
     @property
     def derived(self) -> Mapping[str, Array]:

@@ -86,6 +86,18 @@ class Polyline:
         return np.asarray(np.abs(np.broadcast_to(self.values, shape)).max(axis=0))
 
     @cached_property
+    def corners(self) -> Array:
+        """Distances from 0 at which lines meet, (corners, n), m; 0 where both ways differ."""
+        shape = np.broadcast_shapes(self.values.shape, self.scale.shape)
+        slope = np.zeros((len(self.nodes) + 1, self.values.shape[1]))
+        slope[1:-1] = np.diff(self.values, axis=0) / np.diff(self.nodes)[:, None]
+        bent = (np.diff(slope, axis=0) != 0.0).any(axis=1)
+        distances = np.unique(np.abs(self.nodes[bent]))
+        return np.asarray(
+            np.broadcast_to(distances[:, None] * self.scale, (len(distances), shape[1]))
+        )
+
+    @cached_property
     def _work(self) -> tuple[Array, Array, Array]:
         """Nodes from 0 on, the reactions there, and their integral from 0, (m, n), over x."""
         x = self.nodes[self.nodes >= 0.0]

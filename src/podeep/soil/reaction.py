@@ -11,6 +11,7 @@ import numpy as np
 from ..arrays import Array, Index
 from .law import Law
 from .polyline import Polyline
+from .way import NOWHERE
 
 _MOST_NODES = 64  # of straight lines that are evaluated together
 _Evaluate = Callable[[Array], tuple[Array, Array]]
@@ -64,6 +65,17 @@ class Reaction:
             share = 1.0 if term.weight is None else term.weight
             total[term.at] += share * term.law.capacity
         return total
+
+    @cached_property
+    def corners(self) -> Array:
+        """As `Law.corners`, of all laws at each point; `NOWHERE` where a point has fewer."""
+        found, count = [term.law.corners for term in self.laws], np.zeros(self.size, dtype=np.intp)
+        total = np.full((sum(map(len, found)), self.size), NOWHERE)
+        for term, corners in zip(self.laws, found, strict=True):
+            for one in corners:
+                total[count[term.at], term.at] = one
+                count[term.at] += 1
+        return total[: int(count.max(initial=0))]
 
     @classmethod
     def joined(cls, parts: "Sequence[Reaction]") -> "Reaction":

@@ -108,7 +108,7 @@ class Adaptive(Simulation):
         except NoBalance:
             self._back(place, begun)
             self.ending = End.NO_BALANCE
-            rows.keep_last(self._imbalance())
+            self._keep_last(rows)
             return False
         np.maximum(self.reach, halfway, out=self.reach)
         self._compare()

@@ -1,6 +1,7 @@
 """Time integration that keeps the energy, contact included: for what bounces."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
@@ -17,14 +18,17 @@ class Conserving(Integrator):
         q1 = q0 + h (v0 + v1)/2
 
     For equations whose `internal` is the mean force on the way from the last commit to q1, which
-    stores on it what F (q1 - q0) says: (F0 + F1)/2 of a linear spring, `seabed.normal.mean_force`
-    of a seabed, the force at the end for friction and whatever else gives nothing back. Then energy
-    changes by the work of the loads, less what C and the seabed lose, whatever the step: no contact
-    gives energy. Of order 2, without numerical damping. Accelerations are means of a step.
+    stores on it what F (q1 - q0) says: (F0 + F1)/2 of a linear spring, `model.mean` of a
+    foundation, `seabed.normal.mean_force` of a seabed, the force at the end for friction and
+    whatever else gives nothing back. Then energy changes by the work of the loads, less what C and
+    the seabed lose, whatever the step: no contact gives energy. Of order 2, without numerical
+    damping. Accelerations are means of a step.
 
     Source: discrete gradients after LaBudde and Greenspan (1976) and Gonzalez (1996), for contact
     after Laursen and Chawla (1997); from memory.
     """
+
+    mean: ClassVar[bool] = True
 
     def step(
         self, equations: Equations, state: State, h: float, patience: Patience, effort: Effort

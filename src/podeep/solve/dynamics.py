@@ -8,9 +8,10 @@ import numpy as np
 from scipy.linalg import blas
 
 from ..arrays import Array
-from ..scene import Dynamics
+from ..scene import Dynamics, Method
 from ..soil.memory import Memory
 from .body import Body
+from .conserving import Conserving
 from .equations import State
 from .integrators import (
     Bathe,
@@ -20,7 +21,7 @@ from .integrators import (
     Weighted,
     initial,
 )
-from .mover import Pair, Standing, alike, rows_of, state_from
+from .mover import Pair, Row, Standing, alike, rows_of, state_from
 from .moving import Moving
 from .newton import largest
 from .stage import Effort, NoBalance, Patience
@@ -39,10 +40,10 @@ class End(Enum):
     LOST = "the foundation is lost: it goes on moving, and the soil has no more to give"
 
 
-def integrator(dynamics: Dynamics) -> Integrator:
-    """The method that a scene asks for."""
-    match dynamics.method:
-        case None | "HHT":
+def integrator(dynamics: Dynamics, default: Method = "HHT") -> Integrator:
+    """The method that is asked for; default: where none is named, see `Scene.default_method`."""
+    match dynamics.method or default:
+        case "HHT":
             return Weighted.hht(_ALPHA)
         case "NEWMARK":
             return Weighted(dynamics.gamma, dynamics.beta)
@@ -54,6 +55,8 @@ def integrator(dynamics: Dynamics) -> Integrator:
             return Rosenbrock()
         case "CENTRAL":
             return CentralDifference()
+        case "CONSERVE":
+            return Conserving()
 
 
 def in_parts(go: Callable[[float], None], h: float) -> float:
@@ -108,16 +111,25 @@ class Motion:
     def _go(self, h: float, patience: Patience) -> None:
         body, axial = self.body, self.axial
         if body.axial is not None and axial is not None:
-            axial = self.method.step(body.axial, axial, h, patience, self.effort)
+            before, axial = axial.q, self._stepped(body.axial, axial, h, patience)
             if body.squeeze is not None:
-                body.lateral.press(body.squeeze.band(axial.q))
+                met = 0.5 * (before + axial.q) if self.method.mean else axial.q
+                body.lateral.press(body.squeeze.band(met))
         lateral = replace(self.lateral, time=self.lateral.time + h)
         if body.sways:
-            lateral = self.method.step(body.lateral, self.lateral, h, patience, self.effort)
+            lateral = self._stepped(body.lateral, self.lateral, h, patience)
             self._accept(body.lateral, self.lateral, lateral)
         if body.axial is not None and self.axial is not None and axial is not None:
             self._accept(body.axial, self.axial, axial)
         self.axial, self.lateral = axial, lateral
+
+    def _stepped(self, equations: Moving, state: State, h: float, patience: Patience) -> State:
+        """The state of one problem after a step."""
+        equations.begin = state.q if self.method.mean else None
+        try:
+            return self.method.step(equations, state, h, patience, self.effort)
+        finally:
+            equations.begin = None
 
     def _accept(self, equations: Moving, before: State, after: State) -> None:
         """Commit a step; the work of its loads is that of their mean."""
@@ -149,6 +161,24 @@ class Motion:
         rows = [(state, equations.remembered(state.q)) for _, equations, state in self._problems()]
         return rows[0], rows[1] if rows[1:] else None
 
+    def settled(self, pair: Pair) -> Pair:
+        if not self.method.mean:
+            return pair
+        body, (row, along) = self.body, pair
+        if body.squeeze is not None and along is not None:
+            body.lateral.press(body.squeeze.band(along[0].q))
+        if body.sways:
+            row = self._balanced(body.lateral, row)
+        if body.axial is not None and along is not None:
+            along = self._balanced(body.axial, along)
+        return row, along
+
+    def _balanced(self, equations: Moving, row: Row) -> Row:
+        """A row with the acceleration that balances there."""
+        state, resisted = row
+        at = initial(equations, state.time, state.q, state.velocity, self.effort)
+        return at, resisted
+
     def dissipated(self) -> float:
         return sum(equations.dissipated() for _, equations, _ in self._problems())
 
@@ -172,11 +202,11 @@ class Motion:
         self.lateral, self.axial = states[0], states[1] if states[1:] else None
 
     def imbalance(self) -> float:
-        pairs = (self.body.lateral, self.lateral), (self.body.axial, self.axial)
-        left = 0.0
-        for equations, state in pairs:
-            if equations is not None and state is not None:
-                out, size = out_of_balance(equations, state)
+        along = None if self.axial is None else (self.axial, None)
+        rows, left = self.settled(((self.lateral, None), along)), 0.0
+        for equations, row in zip((self.body.lateral, self.body.axial), rows, strict=True):
+            if equations is not None and row is not None:
+                out, size = out_of_balance(equations, row[0])
                 self.force, left = max(self.force, size), max(left, out)
         return left / self.force if self.force else 0.0
 

@@ -8,6 +8,7 @@ times weighs the forces there.
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from math import sqrt
+from typing import ClassVar
 
 import numpy as np
 
@@ -17,7 +18,12 @@ from .stage import Effort, NoBalance, Patience, balanced
 
 
 class Integrator(ABC):
-    """Takes equations of motion a step further."""
+    """Takes equations of motion a step further.
+
+    mean: it needs the mean of `internal` on the way from where a step begins.
+    """
+
+    mean: ClassVar[bool] = False
 
     @property
     def order(self) -> int:

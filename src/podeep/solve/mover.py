@@ -81,6 +81,9 @@ class Mover(Protocol):
     def pair(self) -> Pair:
         """Where it is, as rows of its problems."""
 
+    def settled(self, pair: Pair) -> Pair:
+        """Rows where it was, with accelerations that balance there: its method may know means."""
+
     def state(self) -> dict[str, Array]:
         """Everything that its next step depends on, and what it adds up."""
 

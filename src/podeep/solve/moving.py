@@ -9,6 +9,7 @@ from scipy.linalg import eigh, lapack
 from ..arrays import Array, Index
 from ..beam.band import Times, band_times, dense, times, without
 from ..model.assemble import Problem
+from ..model.mean import corners_of, mean_internal
 from ..model.system import Reached, System
 from ..soil.memory import Memory
 
@@ -24,13 +25,14 @@ Factors = Callable[[float], tuple[Array, Array, Array]]
 class _Weighed:
     """D, the system whose tangent has it too, and the factors of D once they are asked for.
 
-    pressed: what of the normal force the tangent has.
+    share: of its linear part that the tangent has. pressed: what of the normal force it has.
     """
 
     band: Array
     times: Times
     system: System
     free: Array
+    share: float
     pressed: Array | None = None
     factors: Array | None = None
 
@@ -41,6 +43,7 @@ class Moving:
     mass, damping: lower bands, shape (width, size), held unknowns among them. factors: of the
     named loads. origin: unknowns from which the soil's motion counts; base: internal forces that
     are there already, N. memory: what resists at the points, where that depends on the way.
+    begin: where a step begins on whose way `internal` is the mean force; None: it is that at q.
     """
 
     feels_velocity = False
@@ -61,9 +64,12 @@ class Moving:
         self._factors = factors
         self._mass, self._damping = times(mass), times(damping)
         self._loads: dict[float, Array] = {}
-        self._kept: dict[tuple[float, float], _Weighed] = {}
+        self._kept: dict[tuple[float, float, bool], _Weighed] = {}
         self._pressed: Array | None = None
         self._frozen: Reached | None = None
+        self.begin: Array | None = None
+        # soil that remembers has its corners anywhere
+        self._corners = corners_of(self.system)[: None if memory is None else 0]
         self.weigh(1.0, 0.0, 0.0)
 
     @property
@@ -93,25 +99,34 @@ class Moving:
         self._pressed = geometric
 
     def weigh(self, inertia: float, damping: float, rate: float) -> None:
-        key = inertia, damping
+        mean = self.begin is not None
+        key = inertia, damping, mean
         one = self._kept.get(key)
         if one is None:
             if len(self._kept) == _KEPT:
                 del self._kept[next(iter(self._kept))]
             band = np.asfortranarray(inertia * self.mass + damping * self.damping)
+            share = 0.5 if mean else 1.0
             system = self.system.stiffened(band, self.memory)
-            one = self._kept[key] = _Weighed(band, times(band), system, system.linear)
+            system.linear -= (1.0 - share) * self.system.linear
+            one = self._kept[key] = _Weighed(band, times(band), system, system.linear, share)
         if one.pressed is not self._pressed:
             assert self._pressed is not None
             one.pressed = self._pressed
-            one.system.linear = one.free - without(one.pressed, self.held).ravel(order="F")
+            more = one.share * without(one.pressed, self.held)
+            one.system.linear = one.free - more.ravel(order="F")
         self._weighed = one
 
     def weighed_times(self, q: Array) -> Array:
         return self._weighed.times(q)
 
     def internal(self, q: Array, velocity: Array | None) -> Array:
-        force = self._weighed.system.internal(q - self.origin)
+        system, begin = self._weighed.system, self.begin
+        if begin is None:
+            force = system.internal(q - self.origin)
+        else:
+            force = mean_internal(system, begin - self.origin, q - self.origin, self._corners)
+            q = 0.5 * (begin + q)
         force += self.base
         if self._pressed is not None:
             force -= band_times(self._pressed, q)  # differs from step to step

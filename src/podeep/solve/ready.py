@@ -64,7 +64,7 @@ class Begun:
 
     def set_off(self, scene: Scene, dynamics: Dynamics) -> Motion:
         """As `Ready.set_off`."""
-        reach, method = float(self.sizes.max()), integrator(dynamics)
+        reach, method = float(self.sizes.max()), integrator(dynamics, scene.default_method)
         return started(self.body(scene), method, dynamics.start, self.start, reach)
 
     def period(self, scene: Scene) -> float:

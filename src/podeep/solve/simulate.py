@@ -81,11 +81,6 @@ class Rows:
     states: list[list[Pair]] = field(default_factory=list)
     told: list[Told] = field(default_factory=list)
 
-    def keep_last(self, residual: float) -> None:
-        """Record the last step: there is none after it."""
-        if self.told:
-            self.told[-1] = self.told[-1]._replace(recorded=True, residual=residual)
-
     def add(self, others: "Rows") -> None:
         """Steps that came after these."""
         self.states += others.states
@@ -195,7 +190,7 @@ class Simulation:
         """Go a step further; whether there is more to do."""
         spent = self._spent()
         if not self._step():
-            rows.keep_last(self._imbalance())
+            self._keep_last(rows)
             return False
         self._note(rows, self._spent() - spent, recorded=self._recorded())
         return self.ending is End.COMPLETE and not self.finished
@@ -209,12 +204,24 @@ class Simulation:
 
     def _note(self, rows: Rows, spent: int, *, recorded: bool) -> None:
         """Put down where all are, after as many iterations as were spent on this step."""
-        rows.states.append([m.pair() for m in (*self.motions, *self.twins)])
+        pairs = [m.pair() for m in (*self.motions, *self.twins)]
+        rows.states.append(self._settled(pairs) if recorded else pairs)
         part = min(self.h, *(m.part for m in self.motions)) / self.longest
         work = sum(m.work for m in self.motions)
         residual = self._imbalance() if recorded else 0.0
         together = self.done % 2 == 0
         rows.told.append(Told(self.time, together, recorded, spent, part, work, residual))
+
+    def _keep_last(self, rows: Rows) -> None:
+        """Record the last step: there is none after it."""
+        if rows.told:
+            rows.told[-1] = rows.told[-1]._replace(recorded=True, residual=self._imbalance())
+            rows.states[-1] = self._settled(rows.states[-1])
+
+    def _settled(self, pairs: Sequence[Pair]) -> list[Pair]:
+        """Rows of all with accelerations that balance there."""
+        motions = (*self.motions, *self.twins)
+        return [motion.settled(pair) for motion, pair in zip(motions, pairs, strict=True)]
 
     def _imbalance(self) -> float:
         """Largest force out of balance over the largest force, where all are."""

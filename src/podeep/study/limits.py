@@ -16,6 +16,7 @@ from math import exp, log, sqrt
 import numpy as np
 from scipy.optimize import brentq
 
+from ..solve.conserving import Conserving
 from ..solve.integrators import Bathe, CentralDifference, Integrator, Rosenbrock, Weighted
 from .trials import CONTACTS, LEAST, SETTLING, SWINGS
 
@@ -57,6 +58,8 @@ def radius(method: Integrator, h: float) -> float:
         case CentralDifference():
             half = 1.0 - 0.5 * h * h
             return abs(half) + sqrt(max(half * half - 1.0, 0.0)) if h > 2.0 else 1.0
+        case Conserving():
+            return 1.0
     raise ValueError(f"no closed form for {method}")
 
 

@@ -8,7 +8,7 @@ CPU times of all steps.
 
 from dataclasses import dataclass
 
-from ..scene import Dynamics
+from ..scene import Dynamics, Method
 from .chart import beaten_by_none, within
 from .motion_settings import MotionSeries, MotionSetting
 
@@ -91,14 +91,16 @@ class MotionReference:
 class MotionChart:
     """All that was measured of a foundation in motion.
 
-    dynamics: what the scene asks for, but for the step. span: seconds of it that are charted, from
-    its start. period: the shortest of the loads, s; None where nothing is periodic. limit: the
-    longest stable step of explicit differences, s. cut: series that were cut short, for time.
+    dynamics: what the scene asks for, but for the step. default: the method where none is named.
+    span: seconds of it that are charted, from its start. period: the shortest of the loads, s; None
+    where nothing is periodic. limit: the longest stable step of explicit differences, s. cut:
+    series that were cut short, for time.
     """
 
     title: str
     foundation: str
     dynamics: Dynamics
+    default: Method
     span: float
     period: float | None
     machine: str

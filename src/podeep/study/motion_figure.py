@@ -19,6 +19,7 @@ _PENS = {
     "GALPHA": (PALETTE[2], "--", "^"),
     "BATHE": (PALETTE[4], "-", "D"),
     "ROS2": (PALETTE[7], "-.", "v"),
+    "CONSERVE": (PALETTE[6], "-", "X"),
     "CENTRAL": (PALETTE[9], ":", "P"),
 }
 

@@ -25,7 +25,6 @@ from .motion_base import Base, Task, base_of, dynamics_of, stable, task
 from .motion_chart import TENTH, MotionChart, MotionChoice, MotionReference, MotionRow
 from .motion_history import History, Truth, errors_of, places_of
 from .motion_settings import (
-    DEFAULT,
     EXPLICIT,
     FULL,
     QUICK,
@@ -77,6 +76,7 @@ def charted_motion(
         scene.title,
         foundation.name,
         dynamics,
+        scene.default_method,
         work.until,
         found[0] if found else None,
         machine(),
@@ -119,7 +119,7 @@ def choice(work: Task, accuracy: float) -> MotionChoice:
         step *= FINER
     if one.ending is not End.COMPLETE:
         return MotionChoice(accuracy, failure=f"at {one.time:.4g} s: {one.ending.value}")
-    series = MotionSeries(dynamics.method or DEFAULT, accuracy)
+    series = MotionSeries(dynamics.method or scene.default_method, accuracy)
     return MotionChoice(accuracy, MotionRow(MotionSetting(series, one.h)), one.error)
 
 
@@ -157,7 +157,7 @@ def converged(
     rate: of steps in a period, the first that is tried. Also tells the CPU time of the last, s.
     """
     dynamics = _default(work.scene)
-    gain = 2.0 ** integrator(dynamics).order - 1.0
+    gain = 2.0 ** integrator(dynamics, work.scene.default_method).order - 1.0
     rate, error = min(rate, work.plan.finest // 2), inf
     before = None
     while True:

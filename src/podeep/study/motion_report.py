@@ -8,7 +8,7 @@ from ..report import folded
 from ..units import short
 from .chart_report import milliseconds
 from .motion_chart import TENTH, MotionChart, MotionChoice, MotionRow
-from .motion_settings import DEFAULT, EXPLICIT, MotionSeries, motion_lines
+from .motion_settings import EXPLICIT, MotionSeries, motion_lines
 
 _MILLI = 1e3
 _NAME, _CELL = 12, 16  # widths of the table's columns
@@ -54,7 +54,7 @@ def motion_report(found: MotionChart) -> str:
 
 def _references(found: MotionChart) -> Iterator[str]:
     """What the errors are measured against."""
-    yield f"converged motion by {DEFAULT}, on the mesh for"
+    yield f"converged motion by {found.default}, on the mesh for"
     for one in found.references:
         text = (
             f"  {one.accuracy:.0e}: {_mesh(one.elements, one.degree)}, steps of {_step(one.step)}, "

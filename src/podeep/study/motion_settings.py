@@ -8,9 +8,8 @@ from ..scene import Dynamics, Scene
 from .settings import PRESETS
 
 #: As METHOD of *DYNAMIC names them; explicit differences are added where their steps are not tiny.
-IMPLICIT: tuple[Method, ...] = ("NEWMARK", "HHT", "GALPHA", "BATHE", "ROS2")
+IMPLICIT: tuple[Method, ...] = ("NEWMARK", "HHT", "GALPHA", "BATHE", "CONSERVE", "ROS2")
 EXPLICIT: Method = "CENTRAL"
-DEFAULT: Method = "HHT"  # what no METHOD stands for
 
 _WITHIN = 0.3  # of an accuracy: an error that suffices
 _SETTLED, _FALLS = 0.1, 0.85  # an error below, and by what it falls with the next shorter step

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..arrays import Array, Index
+from ..soil.way import crossed, mean_of
 from ..solve.equations import State
 from ..solve.integrators import Integrator, initial
 from ..solve.stage import Effort, Patience
@@ -60,6 +61,25 @@ def power(factor: float, exponent: float, floor: float) -> Law:
         return share * x, share * (1.0 + (exponent - 1.0) * x * x / square)
 
     return law
+
+
+@dataclass
+class MeanLaw:
+    """The mean force of a law on the way from where it was committed last, with its derivative.
+
+    at: there, m, (n,). corners: displacements at which the law has corners, m.
+    """
+
+    law: Law
+    at: Array
+    corners: tuple[float, ...] = ()
+
+    def __call__(self, u: Array) -> tuple[Array, Array]:
+        corners = np.array(self.corners)[:, None]
+        return mean_of(self.law, self.at, u, crossed(corners, self.at, u))
+
+    def commit(self, u: Array) -> None:
+        self.at = np.array(u)
 
 
 @dataclass

@@ -8,16 +8,16 @@ from math import isfinite, sqrt
 
 import numpy as np
 
-from ..motion import Dynamics, Method
+from ..motion import METHODS as NAMES
+from ..motion import Dynamics
 from ..solve.dynamics import integrator
 from ..solve.integrators import Integrator
 from ..solve.stage import NoBalance
 from .limits import GAINED, KEPT, OFF, Limit, limits
 from .trials import TRIALS, Outcome, Trial
 
-_NAMES: tuple[Method, ...] = ("NEWMARK", "HHT", "GALPHA", "BATHE", "ROS2", "CENTRAL")
 METHODS: dict[str, Integrator] = {
-    **{name: integrator(Dynamics(0.0, 1.0, method=name)) for name in _NAMES},
+    **{name: integrator(Dynamics(0.0, 1.0, method=name)) for name in NAMES},
     "GAMMA=1": integrator(Dynamics(0.0, 1.0, method="NEWMARK", gamma=1.0, beta=0.5)),
 }
 _RUNAWAY = 1e6  # energy over that at the start that is called no bound

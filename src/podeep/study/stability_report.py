@@ -10,7 +10,7 @@ from .limits import GAINED, KEPT, OFF, Limit
 from .stability import METHODS, Cause, Cell, StabilityMap
 from .trials import TRIALS, Trial
 
-_NAME = 10  # width of the names of methods
+_NAME = 11  # width of the names of methods
 
 _WORDS = (
     f".: stable; +: wrong, energy grew more than {GAINED - 1.0:.0%}; -: wrong, less than "

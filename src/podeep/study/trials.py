@@ -13,7 +13,7 @@ import numpy as np
 from ..arrays import Array
 from ..solve.integrators import Integrator, initial
 from ..solve.stage import Effort, Patience
-from .oscillator import Law, Oscillators, gap, linear, nothing, power, wall
+from .oscillator import Law, MeanLaw, Oscillators, gap, linear, nothing, power, wall
 
 SUCTION = 0.18  # exponent of the velocity
 SWINGS = 20.0 * pi  # time of free swings: 10 cycles
@@ -47,7 +47,7 @@ class Trial:
 
     rate: what omega is. time: how long at least, in 1/omega; least: steps at least. starts:
     displacements and velocities for a step. measure: from displacements and velocities, shape
-    (states, starts).
+    (states, starts). corners: of the spring, where a method asks for its mean force.
     """
 
     name: str
@@ -60,6 +60,7 @@ class Trial:
     measure: Callable[[Array, Array], Outcome]
     drag: Law = nothing
     push: float = 0.0
+    corners: tuple[float, ...] = ()
 
     def steps(self, h: float) -> int:
         return max(int(self.time / h) + 1, self.least)
@@ -68,13 +69,21 @@ class Trial:
         """Follow the motion with steps of h, in 1/omega. Raises NoBalance."""
         q, v = self.starts(h)
         push = np.full_like(q, self.push)
+        mean = MeanLaw(self.spring, q, self.corners)
+        spring = mean if method.mean else self.spring
         equations = Oscillators(
-            np.ones_like(q), np.zeros_like(q), self.spring, lambda t: push, self.drag
+            np.ones_like(q),
+            np.zeros_like(q),
+            spring,
+            lambda t: push,
+            self.drag,
+            commits=mean.commit,
         )
         effort, patience = Effort(), Patience(_INCREMENT, _ITERATIONS)
         states = [initial(equations, 0.0, q, v, effort)]
         for _ in range(self.steps(h)):
             states.append(method.step(equations, states[-1], h, patience, effort))
+            equations.commit(states[-1].q)
             if not np.abs(states[-1].q).max() <= _FAR:  # also where it is no number
                 return Outcome(np.inf)
         return self.measure(np.array([s.q for s in states]), np.array([s.velocity for s in states]))
@@ -170,6 +179,7 @@ TRIALS = (
         6,
         _at_wall,
         _energies(lambda u: 0.5 * np.minimum(u, 0.0) ** 2),
+        corners=(0.0,),
     ),
     Trial(
         "gap",
@@ -180,6 +190,7 @@ TRIALS = (
         10,
         _in_gap,
         _energies(lambda u: 0.5 * np.maximum(np.abs(u) - _PLAY, 0.0) ** 2),
+        corners=(-_PLAY, _PLAY),
     ),
     Trial(
         "power law",
