@@ -20,6 +20,7 @@ from podeep.run import run_deck
 
 END = 1.0  # s
 BLOCK = 16  # steps, so that there are many commits
+BLOCKS = round(END / shaken.STEP) // BLOCK
 TRIED = 10  # of so many kills, one run goes on to the end
 
 
@@ -49,12 +50,16 @@ def killed(deck: Path, folder: Path, chance: random.Random, longest: float) -> i
     os.close(writing)
     while not partial.exists():
         time.sleep(0.002)
-    time.sleep(chance.uniform(0.0, longest))
-    os.kill(child, signal.SIGKILL)
-    os.waitpid(child, 0)
+    blocks, lines = chance.randrange(BLOCKS), []
     with os.fdopen(reading, encoding="utf-8") as told:
-        lines = [line.split() for line in told if "of motion" in line]
-    return round(float(lines[-1][0]) / shaken.STEP) if lines else 0
+        # after so many blocks, whatever else the machine does, and a part of the next one
+        while len(lines) < blocks and (line := told.readline()):
+            lines += [line] * ("of motion" in line)
+        time.sleep(chance.uniform(0.0, longest))
+        os.kill(child, signal.SIGKILL)
+        os.waitpid(child, 0)
+        lines += [line for line in told if "of motion" in line]
+    return round(float(lines[-1].split()[0]) / shaken.STEP) if lines else 0
 
 
 def main(place: Path, kills: int, seed: int) -> None:
@@ -66,7 +71,7 @@ def main(place: Path, kills: int, seed: int) -> None:
     run_deck(
         deck, place / "whole", force=False, progress=lambda text: told.append(time.monotonic())
     )
-    longest = 2.0 * (told[-1] - told[1])  # a part of it comes before the first steps
+    longest = 2.0 * (told[-1] - told[1]) / BLOCKS
     whole, cut = (place / name / "shaken.dst" for name in ("whole", "cut"))
     partial = cut.with_name("shaken.dst.partial")
     chance = random.Random(seed)
