@@ -50,7 +50,7 @@ database.__init__ database.variable database.foundation_variables database.line_
 database.schema database.envelope database.grids database.rows database.layout database.target
 database.stream database.trust database.restart database.write database.stored
 database.foundation database.read
-demand embedded capacity
+named demand embedded capacity
 risks.__init__ risks.ranges risks.risk risks.curves risks.site risks.piles risks.bearing
 risks.motion risks.seabed risks.lines
 checks record describe_motion describe_lines describe report stiffness seabed_report
@@ -59,7 +59,8 @@ soil_figure modes_report modes_figure
 session.__init__ session.question session.console session.points session.flow session.terminal
 session.cases session.result
 line_record line_report motion_record line_motion_record resume motion_log run_motion run
-study.__init__ study.settings study.chart study.measure study.chart_report study.chart_figure
+study.__init__ study.chart study.settings study.measure study.line_settings study.line_measure
+study.chart_report study.chart_figure
 study.oscillator study.trials study.limits study.stability study.stability_report
 study.stability_figure
 study.motion_settings study.motion_chart study.motion_history study.motion_base

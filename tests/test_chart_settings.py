@@ -12,6 +12,7 @@ from podeep.model.results import Results
 from podeep.scene import Load, Numerics, Scene, Steps
 from podeep.solve.analysis import first_model, limits, run, solve, suited_model
 from podeep.solve.newton import Method
+from podeep.study.chart import Setting
 from podeep.study.measure import (
     Probe,
     asking,
@@ -21,7 +22,6 @@ from podeep.study.measure import (
 )
 from podeep.study.settings import (
     Series,
-    Setting,
     build,
     counts,
     deck_lines,

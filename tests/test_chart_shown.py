@@ -3,32 +3,39 @@
 import csv
 import io
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import pytest
 
 from podeep.cli.solve import main
 from podeep.scene import Numerics
-from podeep.study.chart import Chart, Choice, Errors, Reference, Row
+from podeep.study.chart import Chart, Choice, Reference, Row, Setting
 from podeep.study.chart_figure import draw_chart, save_chart
 from podeep.study.chart_report import chart_csv, chart_report
 from podeep.study.settings import (
     PRESETS,
+    WORDS,
+    Errors,
     Plan,
     Series,
-    Setting,
     deck_lines,
 )
 
 JACKET = Path(__file__).parents[1] / "sample_dbs" / "jacket_pile.deck"
 LUMPED, SPATIAL = Series(3, "lumped"), Series(5, spatial=True)
+PLAIN = Numerics()
 
 
 def silent(_: str) -> None:
     """Hear nothing."""
 
 
-def drawn_data(**more) -> Chart:
+def reference(error: float) -> Reference:
+    return Reference(256, 7, Errors(error, 0.0, 0.0))
+
+
+def drawn_data(numerics: Numerics = PLAIN, **more) -> Chart[Series]:
     """A chart without measuring: two series and one failure."""
     rows = [
         Row(
@@ -46,10 +53,13 @@ def drawn_data(**more) -> Chart:
     ]
     rows.append(Row(Setting(Series(5, method="full steps"), 8), failure="step 2, lateral: no"))
     one = Errors(2e-4, 1e-4, 0.0)
-    choices = [Choice(a, 18, 5, 3e-4, one, 0.05, 0.002, 3) for a in PRESETS[:3]]
+    own = Setting(Series(5), 18)
+    choices = [Choice(a, own, 3e-4, one, 0.05, 0.002, 3) for a in PRESETS[:3]]
     choices.append(Choice(PRESETS[3], failure="step 1, axial: no"))
-    numerics, reference = Numerics(), Reference(256, 7, 5e-8)
-    given = Chart("a pile", "F1", numerics, 6, "machine", reference, tuple(rows), tuple(choices))
+    given = Chart(
+        *("a pile", "F1", WORDS, partial(deck_lines, numerics), 6, "machine", reference(5e-8)),
+        *(tuple(rows), tuple(choices)),
+    )
     return replace(given, **more)
 
 
@@ -94,13 +104,13 @@ def test_the_report_fits_a_terminal_and_names_all():
     for preset in PRESETS:
         row = found.fastest(preset, lambda series: series.in_deck)
         assert row
-        lines = deck_lines(found.numerics, preset, row.setting).splitlines()
+        lines = found.deck_lines(preset, row.setting).splitlines()
         assert "\n".join(f"    {line}" for line in lines) in text
 
 
 def test_the_report_of_failures_and_of_what_is_not_reached():
-    text = chart_report(drawn_data(reference=Reference(256, 7, 5e-6)))
-    assert "more than a hundredth of 1e-05" in " ".join(text.split())
+    text = chart_report(drawn_data(reference=reference(5e-6)))
+    assert "more than 0.01 of 1e-05" in " ".join(text.split())
     assert "failed\n  degree 5, full steps, 8 elements: step 2, lateral: no" in text
     assert "automatic choice: failed, step 1, axial: no" in text
     assert "1e-05: 32 elements of degree 5" in text

@@ -142,14 +142,17 @@ def test_a_deck_of_lines_that_stops_is_checked(
 
 
 @pytest.mark.parametrize(
-    "command", [["curves", "--depth", "1"], ["capacity"], ["modes"], ["chart"]]
+    "command",
+    [["curves", "--depth", "1"], ["capacity"], ["modes"], ["chart", "--foundation", "F1"]],
 )
-def test_commands_of_foundations_tell_that_there_is_none(
+def test_commands_of_foundations_tell_which_ones_lines_have(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], command: list[str]
 ) -> None:
     name, *options = command
     assert main([name, write(tmp_path, LINE), *options]) == 2
-    assert "the deck has no foundation; name tubes in *FONDATION" in capsys.readouterr().err
+    told = capsys.readouterr().err
+    assert "the deck has lines alone (L11): this is of foundations" in told
+    assert "for lines there are podeep-solve run, check, chart and stiffness" in told
 
 
 # what is changed, the start of what is told, and the part that helps

@@ -10,6 +10,7 @@ import pytest
 from podeep.cli.solve import main
 from podeep.motion import Dynamics
 from podeep.study import measure, motion_measure
+from podeep.study.chart import Setting
 from podeep.study.motion_chart import (
     MotionChart,
     MotionChoice,
@@ -20,7 +21,7 @@ from podeep.study.motion_chart import (
 from podeep.study.motion_figure import draw_motion_chart, save_motion_chart
 from podeep.study.motion_report import motion_csv, motion_report
 from podeep.study.motion_settings import MotionPlan, MotionSeries, MotionSetting
-from podeep.study.settings import Plan, Series, Setting
+from podeep.study.settings import Plan, Series
 
 SAMPLES = Path(__file__).parents[1] / "sample_dbs"
 DECK = SAMPLES / "swaying_pile.deck"
@@ -206,5 +207,5 @@ def test_statics_of_a_deck_with_motion_are_charted_when_asked_for(monkeypatch, c
     monkeypatch.setattr(measure, "plan", lambda model, *, quick: few)
     assert main(["chart", str(SAMPLES / "conductor_waves.deck"), "--statics"]) == 0
     out = capsys.readouterr().out
-    assert "speed against accuracy, 1 steps, 1 settings" in out
+    assert "speed against accuracy, 1 step, 1 settings" in out
     assert "*DYNAMIC" not in out

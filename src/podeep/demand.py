@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .errors import Fault, UserError
 from .scene import Foundation, Scene
 
 
@@ -25,19 +24,6 @@ class Demand:
     compression_step: int
     tension_step: int
     lateral_step: int
-
-
-def foundation_of(scene: Scene, name: str | None) -> Foundation:
-    """The foundation of this name, or the first one. Raises UserError if there is none."""
-    found = {f.name: f for f in scene.foundations}
-    if not found:
-        raise UserError(
-            Fault("the deck has no foundation", "name tubes in *FONDATION: this is of them")
-        )
-    wanted = next(iter(found)) if name is None else name
-    if wanted not in found:
-        raise UserError(Fault(f"no foundation {wanted}", f"the deck has {', '.join(found)}"))
-    return found[wanted]
 
 
 def demand(scene: Scene, foundation: Foundation) -> Demand:

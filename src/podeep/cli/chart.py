@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, TypeVar
 
 from ..errors import ExitCode, Fault, UserError
 from ..files import make_folder
-from ..scene import Foundation, Scene
+from ..scene import Foundation, Line, Scene
 
 if TYPE_CHECKING:
-    from ..study.chart import Chart
+    from ..study.chart import Chart, S
     from ..study.motion_chart import MotionChart
     from ..study.stability import StabilityMap
 
@@ -25,22 +25,51 @@ def chart(options: argparse.Namespace) -> ExitCode:
     if options.deck is None:
         raise UserError(Fault("there is no deck to chart", "give one, or --stability"))
     from ..deck.read import read_deck
-    from ..demand import foundation_of
-    from ..study.chart_report import chart_csv, chart_report
-    from ..study.measure import chart as chart_of
+    from ..named import foundation_of, line_of
 
     scene = read_deck(options.deck).scene
-    foundation = foundation_of(scene, options.foundation)
-    if scene.dynamics is not None and not options.statics:
-        return _motion(scene, foundation, options)
+    anything = options.foundation is None and options.line is None
+    foundation = line = None
+    if options.foundation is not None or (anything and (scene.foundations or not scene.lines)):
+        foundation = foundation_of(scene, options.foundation)
+    if options.line is not None or (anything and scene.lines):
+        line = line_of(scene, options.line)
+    if options.csv and foundation and line:
+        names = f"--foundation {foundation.name} or --line L{line.id}"
+        raise UserError(Fault("--csv is of one foundation or one line", f"give {names}"))
+    if foundation:
+        moves = scene.dynamics is not None and not options.statics
+        (_motion if moves else _foundation)(scene, foundation, options)
+    if foundation and line:
+        print()
+    if line:
+        _line(scene, line, options)
+    return ExitCode.DONE
 
-    def save(found: "Chart", folder: Path) -> Path:
+
+def _foundation(scene: Scene, foundation: Foundation, options: argparse.Namespace) -> ExitCode:
+    """The statics of a foundation."""
+    from ..study.measure import chart as chart_of
+
+    return _statics(
+        lambda: chart_of(scene, foundation, quick=options.quick, tell=progress), options
+    )
+
+
+def _line(scene: Scene, line: Line, options: argparse.Namespace) -> ExitCode:
+    """The statics of a line."""
+    from ..study.line_measure import line_chart
+
+    return _statics(lambda: line_chart(scene, line, quick=options.quick, tell=progress), options)
+
+
+def _statics(make: "Callable[[], Chart[S]]", options: argparse.Namespace) -> ExitCode:
+    from ..study.chart_report import chart_csv, chart_report
+
+    def save(found: "Chart[S]", folder: Path) -> Path:
         from ..study.chart_figure import save_chart
 
         return save_chart(found, folder, options.deck.stem)
-
-    def make() -> "Chart":
-        return chart_of(scene, foundation, quick=options.quick, tell=progress)
 
     return _shown(options, make, chart_csv, chart_report, save)
 
@@ -50,7 +79,7 @@ def stability(options: argparse.Namespace) -> ExitCode:
     from ..study.stability import stability_map
     from ..study.stability_report import stability_csv, stability_report
 
-    if options.deck is not None or options.foundation is not None:
+    if any(one is not None for one in (options.deck, options.foundation, options.line)):
         raise UserError(Fault("--stability is of no deck", "give it alone"))
 
     def save(found: "StabilityMap", folder: Path) -> Path:

@@ -53,8 +53,8 @@ def length(text: str) -> float:
 def modes(options: argparse.Namespace) -> ExitCode:
     """Show the lowest modes of a foundation about a static step."""
     from ..deck.read import read_deck
-    from ..demand import foundation_of
     from ..modes_report import modes_csv, modes_data, modes_report
+    from ..named import foundation_of
     from ..solve.modes import modes as modes_of
 
     scene = read_deck(options.deck).scene

@@ -81,6 +81,7 @@ def parser() -> argparse.ArgumentParser:
         "--stability", action="store_true", help="methods of time integration against the step"
     )
     chart_.add_argument("--foundation", help="F1, F2, ...; the first one by default")
+    chart_.add_argument("--line", help="L1, L2, ...; the first one by default")
     chart_.add_argument("--quick", action="store_true", help="fewer meshes and fewer runs")
     chart_.add_argument("--statics", action="store_true", help="of statics, also with *DYNAMIC")
     chart_.add_argument("--csv", action="store_true", help="every setting, full precision")
@@ -180,7 +181,7 @@ def check(options: argparse.Namespace) -> ExitCode:
 def curves(options: argparse.Namespace) -> ExitCode:
     """Show the curves in force at a depth."""
     from ..deck.read import read_deck
-    from ..demand import foundation_of
+    from ..named import foundation_of
     from ..report import curves_report
     from ..run import curves_at
 
@@ -213,7 +214,7 @@ def capacity(options: argparse.Namespace) -> ExitCode:
     from ..capacity import capacity as capacity_of
     from ..capacity_report import capacity_csv, capacity_report
     from ..deck.read import read_deck
-    from ..demand import foundation_of
+    from ..named import foundation_of
 
     scene = read_deck(options.deck).scene
     foundation = foundation_of(scene, options.foundation)

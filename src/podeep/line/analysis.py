@@ -4,7 +4,7 @@ Errors are told by the same analysis on elements half as long. Friction and suct
 way, so that each mesh goes it from the start.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,19 +22,15 @@ _PLACES = 400  # distances at which two meshes are compared
 _ITERATIONS = 200  # to lay a line: its first shape may be far from where it lies
 
 
-@dataclass(frozen=True)
-class SolvedLine:
-    """States of a line: laid (step 0), then at the end of each step that was reached.
+@dataclass(frozen=True, eq=False)
+class Followed:
+    """States of a line on a mesh: laid (step 0), then at the end of each step that was reached.
 
-    errors: of position, reaction, tension and moment over their largest, by comparison with
-    elements half as long, (4,); the reaction's is that of its largest value. failure: why steps are
-    missing; empty if none are.
+    failure: why steps are missing; empty if none are.
     """
 
     model: LineModel
     states: tuple[LineState, ...]
-    errors: Array
-    accuracy: float
     failure: str
 
     @property
@@ -46,9 +42,24 @@ class SolvedLine:
         """Of the states that are equilibria."""
         return LineResults.of(self.model.system, self.states)
 
+
+@dataclass(frozen=True, eq=False)
+class SolvedLine(Followed):
+    """A line on the mesh that was taken.
+
+    errors: of position, reaction, tension and moment over their largest, by comparison with
+    elements half as long, (4,); the reaction's is that of its largest value.
+    """
+
+    errors: Array
+    accuracy: float
+
     @property
     def accurate(self) -> bool:
         return bool((self.errors <= self.accuracy).all())
+
+
+Way = Callable[[Scene, LineModel], Followed]
 
 
 def solve_line(scene: Scene, line: Line) -> SolvedLine:
@@ -57,17 +68,26 @@ def solve_line(scene: Scene, line: Line) -> SolvedLine:
     The finer of the last two meshes is what is returned. Raises UserError for a line that cannot be
     laid.
     """
+    for found in refinements(scene, line):
+        if found.accurate or found.failure:
+            break
+    return found
+
+
+def refinements(scene: Scene, line: Line, way: Way | None = None) -> Iterator[SolvedLine]:
+    """A line on finer and finer meshes, each with its errors; one where NEL gives all elements.
+
+    way: what follows the line on a mesh, `follow_line` where there is none. Raises as `solve_line`.
+    """
     contact = scene.seabed_under(line)
     check_slack(line, contact)
-    accuracy = scene.numerics.accuracy
-    rough = _solve(scene, assemble(scene, line, mesh(scene, line, contact, 0)))
-    for refined in range(1, _MESHES + 1):
-        fine = _solve(scene, assemble(scene, line, mesh(scene, line, contact, refined)))
-        found = SolvedLine(fine[0], fine[1], _apart(rough, fine), accuracy, fine[2])
-        if found.accurate or fine[2] or all(s.elements is not None for s in line.sections):
-            break
+    way, accuracy = way or follow_line, scene.numerics.accuracy
+    given = all(section.elements is not None for section in line.sections)
+    rough = way(scene, assemble(scene, line, mesh(scene, line, contact, 0)))
+    for refined in range(1, 2 if given else _MESHES + 1):
+        fine = way(scene, assemble(scene, line, mesh(scene, line, contact, refined)))
+        yield SolvedLine(fine.model, fine.states, fine.failure, _apart(rough, fine), accuracy)
         rough = fine
-    return found
 
 
 def check_slack(line: Line, contact: SeabedContact | None) -> None:
@@ -87,14 +107,12 @@ def check_slack(line: Line, contact: SeabedContact | None) -> None:
         )
 
 
-_Found = tuple[LineModel, tuple[LineState, ...], str]
-
-
-def _solve(scene: Scene, model: LineModel) -> _Found:
+def follow_line(scene: Scene, model: LineModel) -> Followed:
+    """Lay the line of a model and take it through the steps."""
     limits = Limits(min(1e-3 * scene.numerics.accuracy, 1e-7), iterations=_ITERATIONS)
     first = laid(model.system, model.start, limits)
     if first.ending is not Ending.CONVERGED:
-        return model, (), f"the line could not be laid: {first.ending.value}"
+        return Followed(model, (), f"the line could not be laid: {first.ending.value}")
     states, failure = [first], ""
     for step, state in enumerate(follow(model.system, first, stages(scene, model), limits), 1):
         if state.ending is not Ending.CONVERGED:
@@ -102,7 +120,7 @@ def _solve(scene: Scene, model: LineModel) -> _Found:
             failure = f"{reached}: {state.ending.value}"
             break
         states.append(state)
-    return model, tuple(states), failure
+    return Followed(model, tuple(states), failure)
 
 
 def stages(scene: Scene, model: LineModel) -> Iterator[Stage]:
@@ -123,13 +141,13 @@ def stages(scene: Scene, model: LineModel) -> Iterator[Stage]:
         yield Stage(begin + whole[system.held])
 
 
-def _apart(rough: _Found, fine: _Found) -> Array:
+def _apart(rough: Followed, fine: Followed) -> Array:
     """Errors of position, reaction, tension and moment of the rougher mesh, (4,)."""
-    n = min(len(rough[1]), len(fine[1]))
+    n = min(len(rough.states), len(fine.states))
     if not n:
         return np.ones(4)
-    one, other = (LineResults.of(model.system, states[:n]) for model, states, _ in (rough, fine))
-    s = np.linspace(0.0, fine[0].system.unstretched_length, _PLACES + 1)
+    one, other = (LineResults.of(each.model.system, each.states[:n]) for each in (rough, fine))
+    s = np.linspace(0.0, fine.model.system.unstretched_length, _PLACES + 1)
     place, held, pulled, bent = (
         (value(one, s), value(other, s))
         for value in (

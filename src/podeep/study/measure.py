@@ -12,7 +12,7 @@ from functools import partial
 from importlib.metadata import version
 from math import inf
 from statistics import median
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -26,8 +26,8 @@ from ..solve.analysis import Solved, factors_of, limits, run, solve, suited_mode
 from ..solve.diagnosis import explain
 from ..solve.newton import Limits
 from ..solve.statics import Failure
-from .chart import SURE, Chart, Choice, Errors, Reference, Row
-from .settings import PRESETS, Plan, Setting, build, plan
+from .chart import Chart, Choice, Reference, Row, Setting
+from .settings import PRESETS, SURE, WORDS, Errors, Plan, Series, build, deck_lines, plan
 
 _DEPTHS = 1000  # places where results are compared, besides the element ends of the stretches
 _REST = 1e-6  # share of a run's largest value below which a step is at rest
@@ -39,7 +39,7 @@ _SLOW = 1.0  # a run that took so long is not repeated, s
 
 Tell = Callable[[str], None]
 Body = Callable[[], object]
-_Measured = TypeVar("_Measured", Row, Choice)
+AnyTimed = TypeVar("AnyTimed", Row[Any], Choice[Any])
 
 
 class Probe:
@@ -90,7 +90,9 @@ def errors(values: Array, true: Array) -> Errors:
     return Errors(*share.max(axis=(0, 2)).tolist())
 
 
-def chart(scene: Scene, foundation: Foundation, *, quick: bool = False, tell: Tell) -> Chart:
+def chart(
+    scene: Scene, foundation: Foundation, *, quick: bool = False, tell: Tell
+) -> Chart[Series]:
     """Measure a foundation; `tell` hears how far it is.
 
     Raises AnalysisFailed where the scene itself has no equilibrium in some step.
@@ -101,7 +103,7 @@ def chart(scene: Scene, foundation: Foundation, *, quick: bool = False, tell: Te
     return measured(scene, base, plan(base, quick=quick), tell)
 
 
-def measured(scene: Scene, base: Model, wanted: Plan, tell: Tell) -> Chart:
+def measured(scene: Scene, base: Model, wanted: Plan, tell: Tell) -> Chart[Series]:
     """The chart of a plan for the foundation of a model."""
     own: list[Solved] = []
     for accuracy in PRESETS:
@@ -114,7 +116,7 @@ def measured(scene: Scene, base: Model, wanted: Plan, tell: Tell) -> Chart:
         raise AnalysisFailed(f"{why}\n  no chart: every step needs an equilibrium")
     probe = Probe(base)
     reference, true = converged(scene, own[-1].model, probe, tell)
-    rows: list[Row] = []
+    rows: list[Row[Series]] = []
     bodies: list[Body] = []
     for number, setting in enumerate(wanted.settings, start=1):
         tell(f"setting {number} of {len(wanted.settings)}")
@@ -129,20 +131,22 @@ def measured(scene: Scene, base: Model, wanted: Plan, tell: Tell) -> Chart:
     return Chart(
         scene.title,
         base.foundation.name,
-        scene.numerics,
+        WORDS,
+        partial(deck_lines, scene.numerics),
         len(scene.steps.factors),
         machine(),
         reference,
-        tuple(_timed(row, next(times)) if row.errors else row for row in rows),
-        tuple(_last(_timed(c, next(times)), next(times)) if c.errors else c for c in choices),
+        tuple(timed(row, next(times)) if row.errors else row for row in rows),
+        tuple(_last(timed(c, next(times)), next(times)) if c.errors else c for c in choices),
     )
 
 
-def _timed(one: _Measured, times: list[float]) -> _Measured:
+def timed(one: AnyTimed, times: list[float]) -> AnyTimed:
+    """With the median of its times."""
     return replace(one, seconds=median(times), runs=len(times))
 
 
-def _last(one: Choice, times: list[float]) -> Choice:
+def _last(one: Choice[Series], times: list[float]) -> Choice[Series]:
     return replace(one, last=median(times))
 
 
@@ -165,9 +169,9 @@ def converged(scene: Scene, own: Model, probe: Probe, tell: Tell) -> tuple[Refer
         if failure:  # so short elements are mere rounding
             break
         true = probe.values(results)
-        change = errors(found[1], true).largest if found else inf
+        change = errors(found[1], true) if found else Errors(inf, inf, inf)
         found = Reference(len(boundaries) - 1, degree, change), true
-        if change <= SURE * min(PRESETS):
+        if change.largest <= SURE * min(PRESETS):
             break
         middle = 0.5 * (boundaries[:-1] + boundaries[1:])
         boundaries = np.sort(np.concatenate([boundaries, middle]))
@@ -192,7 +196,7 @@ def said(failure: Failure) -> str:
     return f"step {failure.step}, {failure.which}: {failure.ending.value}"
 
 
-def limits_of(scene: Scene, setting: Setting) -> Limits:
+def limits_of(scene: Scene, setting: Setting[Series]) -> Limits:
     """How a setting iterates: so far that the smallest preset is not spoilt."""
     exact = replace(scene.numerics, accuracy=min(PRESETS))
     limit = replace(limits(replace(scene, numerics=exact)), method=setting.series.method)
@@ -201,8 +205,8 @@ def limits_of(scene: Scene, setting: Setting) -> Limits:
 
 
 def solved_row(
-    scene: Scene, base: Model, setting: Setting, probe: Probe, true: Array
-) -> tuple[Row, Body]:
+    scene: Scene, base: Model, setting: Setting[Series], probe: Probe, true: Array
+) -> tuple[Row[Series], Body]:
     """A setting solved once, and the body to be timed."""
     limit, factors = limits_of(scene, setting), factors_of(scene)
     start = time.process_time()
@@ -226,13 +230,14 @@ def asking(scene: Scene, accuracy: float) -> Scene:
     return replace(scene, numerics=free)
 
 
-def choice_of(solved: Solved, probe: Probe, true: Array) -> Choice:
+def choice_of(solved: Solved, probe: Probe, true: Array) -> Choice[Series]:
     """What the program made of an accuracy alone."""
     if solved.failure:
         return Choice(solved.accuracy, failure=said(solved.failure))
     found = errors(probe.values(solved.results), true)
-    degree = solved.model.lateral.system.field.degree
-    return Choice(solved.accuracy, solved.model.elements, degree, solved.error, found)
+    series = Series(solved.model.lateral.system.field.degree)
+    mesh = Setting(series, solved.model.elements)
+    return Choice(solved.accuracy, mesh, solved.error, found)
 
 
 def whole_choice(scene: Scene, solved: Solved) -> Body:
@@ -260,15 +265,20 @@ def cpu_time(body: Body) -> float:
 
 
 def turns(
-    clocks: Sequence[Callable[[], float]], runs: int, patience: float, tell: Tell
+    clocks: Sequence[Callable[[], float]],
+    runs: int,
+    patience: float,
+    tell: Tell,
+    first: Sequence[float] = (),
 ) -> list[list[float]]:
     """Times told by clocks that take turns, in one order and then in the other.
 
-    Each runs once, then all as often as is asked and as the patience, s, allows.
+    Each runs once, then all as often as is asked and as the patience, s, allows. first: times of
+    the first run, where they are known.
     """
-    spent: list[list[float]] = [[] for _ in clocks]
+    spent: list[list[float]] = [[one] for one in first] or [[] for _ in clocks]
     deadline = time.monotonic() + patience
-    for number in range(runs):
+    for number in range(1 if first else 0, runs):
         if number and time.monotonic() > deadline:
             break
         tell(f"timing, run {number + 1} of {runs}")

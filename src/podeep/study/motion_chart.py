@@ -9,22 +9,18 @@ CPU times of all steps.
 from dataclasses import dataclass
 
 from ..scene import Dynamics, Method
-from .chart import beaten_by_none, within
+from .chart import RelativeErrors, beaten_by_none, within
 from .motion_settings import MotionSeries, MotionSetting
 
 TENTH = 0.1  # error of a reference over that of its mesh, at most
 
 
 @dataclass(frozen=True, slots=True)
-class MotionErrors:
+class MotionErrors(RelativeErrors):
     """Relative errors over the whole span."""
 
     displacement: float
     moment: float
-
-    @property
-    def largest(self) -> float:
-        return max(self.displacement, self.moment)
 
 
 @dataclass(frozen=True, slots=True)

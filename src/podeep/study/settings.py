@@ -1,4 +1,4 @@
-"""What a chart of speed against accuracy varies, as data, and how one setting is built."""
+"""What a chart of a foundation varies, as data, its errors, and how one setting is built."""
 
 from dataclasses import dataclass, replace
 from itertools import takewhile
@@ -8,8 +8,10 @@ from ..model.assemble import Model, assemble
 from ..model.mesh import edges
 from ..scene import Numerics, Scene
 from ..solve.newton import Method
+from .chart import RelativeErrors, Setting, Words
 
 PRESETS = (1e-2, 1e-3, 1e-4, 1e-5)  # errors that are marked
+SURE = 1e-2  # error of the reference over the smallest preset, at most
 _MOST_ELEMENTS = 192  # of a series whose reactions are integrated, at least
 _LONGEST = 4.0  # ratio of the largest to the smallest number of elements, at least
 _LUMPED_MORE = 8.0  # times as many elements where reactions are lumped
@@ -39,6 +41,14 @@ class Series:
         """Whether ELEMENTS and ORDER of a deck alone ask for it."""
         return self == Series(self.degree)
 
+    @property
+    def cells(self) -> tuple[str, ...]:
+        spatial = "yes" if self.spatial else "no"
+        return str(self.degree), self.reactions, self.method, spatial
+
+    def mesh(self, elements: int) -> str:
+        return f"{elements} elements of degree {self.degree}"
+
 
 _SERIES = (
     Series(3),
@@ -53,18 +63,36 @@ _SERIES = (
 
 
 @dataclass(frozen=True, slots=True)
-class Setting:
-    """One way to solve the scene."""
+class Errors(RelativeErrors):
+    """Relative errors of the largest values of a foundation, each the largest of all steps.
 
-    series: Series
-    elements: int
+    Along the axis they are those of settlement, shaft friction and normal force.
+    """
+
+    displacement: float
+    reaction: float
+    moment: float
+
+
+WORDS = Words(
+    subject="Foundation",
+    drawn=(("largest", "Largest relative error of displacement, reaction and moment in any step"),),
+    margin=SURE,
+    legend="Without more words the soil's reaction is integrated and Newton's iteration has a line "
+    "search. lumped: springs at the ends of elements of degree 3, with half an element's length "
+    "each; full steps: no line search; secant: secant moduli in place of tangents; spatial: two "
+    "components of the deflection where one would do",
+    columns=("degree", "reactions", "iteration", "spatial"),
+    replaced="*ACCURACY and *MODEL",
+    unreached="no ELEMENTS and ORDER that were measured reach it",
+)
 
 
 @dataclass(frozen=True, slots=True)
 class Plan:
     """What is measured: settings, runs of each that are timed, and the time for these, s."""
 
-    settings: tuple[Setting, ...]
+    settings: tuple[Setting[Series], ...]
     runs: int
     patience: float
 
@@ -96,7 +124,7 @@ def counts(least: int, growth: float, lumped: bool) -> tuple[int, ...]:
     return (*coarse, round(most))
 
 
-def build(scene: Scene, base: Model, setting: Setting) -> Model:
+def build(scene: Scene, base: Model, setting: Setting[Series]) -> Model:
     """The model of a setting on the ground and stretches of another model of the scene.
 
     Raises UserError where the curves do not allow the setting.
@@ -109,7 +137,7 @@ def build(scene: Scene, base: Model, setting: Setting) -> Model:
     return assemble(*same, boundaries, series.degree, series.reactions)
 
 
-def deck_lines(numerics: Numerics, accuracy: float, setting: Setting | None) -> str:
+def deck_lines(numerics: Numerics, accuracy: float, setting: Setting[Series] | None) -> str:
     """The lines of a deck that ask for an accuracy and a setting, None: the program's own choice.
 
     The other options of *MODEL stay as they are.
