@@ -75,11 +75,13 @@ def test_03_cables_pulled_over_a_stiff_seabed(row):
         (state,) = follow(system, state, [Stage(ends)], LIMITS)
     assert state.ending is Ending.CONVERGED
     accuracy = 1e-5 if at["xB_zero_tension_m"] else 1e-6
-    assert state.forces[2] == pytest.approx(at["HF_N"], rel=accuracy)
-    assert state.forces[3] == pytest.approx(at["VF_N"], rel=accuracy)
+    # places are known to a rounding: of the row that has EA = 5e14 N that is worth some newtons
+    rounding = at["EA_N"] * np.spacing(at["XF_m"]) / np.diff(edges)[-1]
+    assert state.forces[2] == pytest.approx(at["HF_N"], abs=accuracy * at["HF_N"] + rounding)
+    assert state.forces[3] == pytest.approx(at["VF_N"], abs=accuracy * at["VF_N"] + rounding)
     # what is elastic in friction is that over sqrt(EA threshold/(mu W)) at the anchor
     near = np.sqrt(at["EA_N"] * 1e-4 * at["CB"] * weight) if at["CB"] else 0.0
-    assert -state.forces[0] == pytest.approx(at["HA_N"], abs=1e-6 * at["HF_N"] + near)
+    assert -state.forces[0] == pytest.approx(at["HA_N"], abs=1e-6 * at["HF_N"] + near + rounding)
 
 
 def slack_span(at: dict[str, float]) -> float:
