@@ -98,6 +98,27 @@ def test_a_slow_motion_ends_where_statics_do(tmp_path):
         assert tension == pytest.approx(pulled, abs=0.01 * np.abs(pulled).max())
 
 
+def test_a_line_that_nothing_moves_stands_still(tmp_path):
+    """Rounding is no error of its displacements, and what statics have lost is not lost again."""
+    deck = deck_in(tmp_path, "Z 0.5", more="*QUASISTATIC\n1 L3E2 1", end=1, record=1)
+    run = run_deck(deck, tmp_path, force=False)
+    assert run.motion is not None
+    assert run.warnings() == ()
+    assert run.motion.error < 1e-4
+    assert abs(run.motion.dissipated) < 1e-3  # J
+
+
+def test_a_record_that_jumps_is_balanced_all_the_same(tmp_path):
+    """What an iteration may leave is a share of the way, not of the velocity of a jump."""
+    record = "0 0\n0.5 0\n0.500001 0.05\n1 0.05"
+    moved = deck_in(tmp_path, "{moved}", end=1, record=0.1)
+    text = moved.read_text(encoding="utf-8").replace("3 2\n{moved}", f"3 2 Z\n{record}")
+    moved.write_text(text, encoding="utf-8")
+    run_deck(moved, tmp_path, force=False)
+    with open_database(tmp_path / "pipe.dst") as database:
+        assert database.line("L3").read("convergence/residual").max() < 1e-2
+
+
 @pytest.mark.parametrize("more", ["", "*DYNIMP\n30 0.5 0.25 1"])
 @pytest.mark.parametrize("after", [0, 1])
 def test_an_interrupted_motion_goes_on_to_the_same_bits(tmp_path, monkeypatch, more, after):

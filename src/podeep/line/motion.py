@@ -7,7 +7,7 @@ from math import inf
 import numpy as np
 
 from ..arrays import Array
-from ..scene import Damping, Dynamics, Harmonic, LineMotion, Scene
+from ..scene import Damping, Dynamics, Harmonic, Line, LineMotion, Scene
 from ..solve.conserving import Conserving
 from ..solve.drive import Change, Drive, drive, harmonic, straight
 from ..solve.dynamics import in_parts, integrator
@@ -21,7 +21,7 @@ from .assemble import LineModel, assemble, section_at
 from .moving import Given, LineInertia, LineMoving
 
 _ROUNDING = 1e-12  # of the length: a move that rounding may leave
-_LEAST = 1e-3  # of the diameter: displacement that counts as one
+_LEAST = 1e-3  # of the diameter: displacement of a line at rest
 
 
 def line_integrator(dynamics: Dynamics) -> Integrator:
@@ -33,8 +33,9 @@ def line_integrator(dynamics: Dynamics) -> Integrator:
 class MovingLine:
     """A line on its way, a `Mover`.
 
-    reach: largest displacement so far or expected, m. begin: unknowns at the start. left: largest
-    force out of balance in the last step, N; force: the largest that acted so far.
+    reach: largest displacement so far or expected, m. least: one that counts as any, m. begin:
+    unknowns at the start. already: what the seabed had lost there, J. left: largest force out of
+    balance in the last step, N; force: the largest that acted so far.
     """
 
     equations: LineMoving
@@ -42,22 +43,24 @@ class MovingLine:
     now: State
     reach: float
     effort: Effort = field(default_factory=Effort)
+    least: float = 0.0
     part: float = np.inf
     work: float = 0.0
     force: float = 0.0
     left: float = 0.0
     begin: Array = field(init=False)
+    already: float = field(init=False)
 
     def __post_init__(self) -> None:
-        self.begin = self.now.q
+        self.begin, self.already = self.now.q, 0.0
+        self.already = self.dissipated()
 
     @property
     def time(self) -> float:
         return self.now.time
 
     def step(self, h: float, end: float, share: float, iterations: int) -> None:
-        way = self.sizes()[0] + h * largest(self.now.velocity)
-        self.reach = max(self.reach, way)
+        self.reach = max(self.reach, self.sizes()[0])
         rounding = _ROUNDING * self.equations.system.unstretched_length
         patience = Patience(max(share * self.reach, rounding), iterations)
         self.part = in_parts(lambda part: self._go(part, patience), h)
@@ -86,6 +89,9 @@ class MovingLine:
         out, held = forces.sum(axis=0), equations.held
         move = after.q - before.q
         self.work += float(forces[0] @ move - out[held] @ move[held])
+        if mean:  # energy of motion follows the mean velocity, which is not the way's where driven
+            slip = 0.5 * h * (before.velocity + after.velocity) - move
+            self.work -= float(forces[1] @ slip)
         out[held], forces[:, held] = 0.0, 0.0
         self.left, self.force = largest(out), max(self.force, float(np.abs(forces).max()))
 
@@ -100,14 +106,16 @@ class MovingLine:
         return self.left / self.force if self.force else 0.0
 
     def sizes(self, other: "MovingLine | None" = None) -> tuple[float, float]:
-        return largest(self.now.q - (self.begin if other is None else other.now.q)), 0.0
+        if other is not None:
+            return largest(self.now.q - other.now.q), 0.0
+        return max(largest(self.now.q - self.begin), self.least), 0.0
 
     def lost(self) -> bool:
         return False
 
     def dissipated(self) -> float:
         bed = self.equations.system.bed
-        return 0.0 if bed is None else bed.dissipated
+        return 0.0 if bed is None else bed.dissipated - self.already
 
     def pair(self) -> Pair:
         bed = self.equations.system.bed
@@ -165,7 +173,7 @@ class LineReady:
         )
         effort = Effort()
         now = initial(equations, dynamics.start, q, np.zeros_like(q), effort)
-        return MovingLine(equations, method, now, float(self.sizes[0]), effort)
+        return MovingLine(equations, method, now, float(self.sizes[0]), effort, least_move(line))
 
     def period(self, scene: Scene) -> float:
         """As `Ready.period`: what moves its ends alone is what steps are to see."""
@@ -181,9 +189,13 @@ def line_ready(scene: Scene, solved: SolvedLine) -> LineReady:
     bed = solved.model.system.bed
     motions = [one for one in scene.line_motions if one.line == solved.line.id]
     most = max([largest_move(one) for one in motions], default=0.0)
-    least = _LEAST * max(section.outer_diameter for section in solved.line.sections)
     memory = {} if bed is None else bed.state()
-    return LineReady(solved, memory, np.array([max(most, least), 0.0]))
+    return LineReady(solved, memory, np.array([max(most, least_move(solved.line)), 0.0]))
+
+
+def least_move(line: Line) -> float:
+    """Displacement below which a line is at rest, m: errors are a share of no less."""
+    return _LEAST * max(section.outer_diameter for section in line.sections)
 
 
 def largest_move(motion: LineMotion) -> float:
