@@ -15,7 +15,7 @@ from ..solve.equations import State
 from ..solve.integrators import Integrator, initial
 from ..solve.mover import Pair, Standing, alike, rows_of, state_from
 from ..solve.newton import largest
-from ..solve.stage import Effort, Patience
+from ..solve.stage import Effort, NoBalance, Patience
 from .analysis import SolvedLine
 from .assemble import LineModel, assemble, section_at
 from .moving import Given, LineInertia, LineMoving
@@ -68,7 +68,12 @@ class MovingLine:
 
     def _go(self, h: float, patience: Patience) -> None:
         equations, before = self.equations, self.now
-        after = self.method.step(equations, before, h, patience, self.effort)
+        with np.errstate(over="ignore", invalid="ignore"):  # a step that is too long may run away
+            after = self.method.step(equations, before, h, patience, self.effort)
+        move = np.abs(after.q - before.q)
+        driven = move[equations.held].max(initial=0.0)
+        if not move.max() <= driven + equations.system.length:  # or it is no number
+            raise NoBalance
         self._weigh_up(before, after, h)
         equations.commit(after.q, h)
         self.now = after
