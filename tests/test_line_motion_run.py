@@ -170,6 +170,22 @@ def test_no_drag_and_a_jump_are_told(tmp_path, capsys):
     assert "Z of end 2 begins 0.5 m from its place: it jumps there in the first step" in told
 
 
+@pytest.mark.parametrize(
+    ("moved", "more", "told"),
+    [
+        ("Z 0.5", "*HARMONIC\nL3E2 8 90", "Z of end 2 begins 0.5 m from its place"),
+        ("Z 0.5", "*QUASISTATIC\n1 L3E2 1\n*HARMONIC\nL3E2 8 90", ""),
+        ("Z 0.5", "*TIMESERIES\nL3E2\n0 0\n1 0\n1.001 1", "Z of end 2 moves at up to 500 m/s"),
+        ("Z 0.5 0.2 0 1", "", "DT = 0.1 s with a period of 0.2 s: with fewer than 8 steps"),
+        ("Z 0.5 0.79 0 1", "*DYNIMP\n30 0.5 0.25 1", ""),
+    ],
+)
+def test_what_moves_an_end_too_abruptly_is_told(tmp_path, capsys, moved, more, told):
+    assert main(["check", str(deck_in(tmp_path, moved, more=more))]) == 0
+    shown = " ".join(capsys.readouterr().out.split())
+    assert told in shown if told else "risky" not in shown
+
+
 def test_a_line_moves_beside_a_pile(tmp_path):
     """Both in one database, followed in the same steps."""
     pile = shaken.deck(tmp_path, end=1.0).read_text(encoding="utf-8").split("*DYNAMIC")[0]

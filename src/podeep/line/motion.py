@@ -1,15 +1,15 @@
 """Lines in motion, followed step by step from the end of statics."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from math import inf
 
 import numpy as np
 
 from ..arrays import Array
-from ..scene import Damping, Dynamics, Harmonic, Line, LineMotion, Scene
+from ..scene import Damping, Dynamics, Line, LineMotion, Scene
 from ..solve.conserving import Conserving
-from ..solve.drive import Change, Drive, drive, harmonic, straight
+from ..solve.drive import Change, change_of, drive
 from ..solve.dynamics import in_parts, integrator
 from ..solve.equations import State
 from ..solve.integrators import Integrator, initial
@@ -235,25 +235,3 @@ def driven(scene: Scene, dynamics: Dynamics, model: LineModel, q: Array) -> Give
         return found[0], found[1], found[2]
 
     return given
-
-
-def change_of(
-    motion: LineMotion, factors: Drive, names: Sequence[str], start: float
-) -> Callable[[float], Change]:
-    """How far a motion has moved its end since the end of statics, m, and how fast."""
-    place = names.index(motion.name) if motion.name in names else None
-    waves = [(w.amplitude, Harmonic("", w.period, w.phase, w.ramp)) for w in motion.waves]
-
-    def change(time: float) -> Change:
-        found = np.zeros(3)
-        if place is not None:
-            value, rate, second = (each[place] for each in factors(time))
-            found += motion.target * np.array((value - factors.still[place], rate, second))
-        for amplitude, wave in waves:
-            found += amplitude * np.array(harmonic(wave, time, start))
-        if motion.times:
-            found += straight(motion.times, motion.values, time)
-        value, rate, second = found.tolist()
-        return value, rate, second
-
-    return change
