@@ -62,7 +62,9 @@ def test_friction_holds_a_steady_load_for_an_hour():
     w, mu, threshold = 600.0, 0.5, 1e-3
     system = system_of(
         *(np.linspace(0.0, 10.0, 3), 5, (1e9, 1e5, w), Winkler(1e5, 1e-9)),
-        **{"held": {}, "friction": mu, "threshold": threshold},
+        held={},
+        friction=mu,
+        threshold=threshold,
     )
     pushed(system, (0.8 * mu * w, 0.0))
     q = straight(system)
