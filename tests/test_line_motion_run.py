@@ -170,6 +170,11 @@ def test_no_drag_and_a_jump_are_told(tmp_path, capsys):
     assert "Z of end 2 begins 0.5 m from its place: it jumps there in the first step" in told
 
 
+def test_damping_is_told_as_that_of_lines(tmp_path, capsys):
+    assert main(["check", str(deck_in(tmp_path, LIFT, more="*DAMPING\nBETA=0.01"))]) == 0
+    assert "0.01 s of the stiffness of the lines" in " ".join(capsys.readouterr().out.split())
+
+
 @pytest.mark.parametrize(
     ("moved", "more", "told"),
     [
