@@ -79,26 +79,39 @@ class MovingLine:
         self.now = after
 
     def _weigh_up(self, before: State, after: State, h: float) -> None:
-        """What is out of balance in a step, and the work of what drives it."""
-        equations, mean = self.equations, self.equations.mean
-        velocity = (after.q - before.q) / h if mean else after.velocity
-        acceleration = (after.velocity - before.velocity) / h if mean else after.acceleration
-        forces = np.array(
-            [
-                equations.load(after.time),
-                -equations.mass_times(acceleration),
-                -equations.damping_times(velocity),
-                -equations.internal(after.q, velocity if equations.feels_velocity else None),
-            ]
-        )
-        out, held = forces.sum(axis=0), equations.held
-        move = after.q - before.q
-        self.work += float(forces[0] @ move - out[held] @ move[held])
-        if mean:  # energy of motion follows the mean velocity, which is not the way's where driven
+        """What is out of balance in a step, and the work of what drives it.
+
+        Work is that of forces of the step where the equations have their mean on it; otherwise of
+        the mean of those at both ends.
+        """
+        mean, held, move = self.equations.mean, self.equations.held, after.q - before.q
+        if mean:
+            acceleration = (after.velocity - before.velocity) / h
+            forces = self._forces(after.time, after.q, move / h, acceleration)
+            out = forces.sum(axis=0)
+            # energy of motion follows the mean velocity, which is not the way's where driven
             slip = 0.5 * h * (before.velocity + after.velocity) - move
-            self.work -= float(forces[1] @ slip)
+            self.work += float(forces[0] @ move - out[held] @ move[held] - forces[1] @ slip)
+        else:
+            first, forces = (
+                self._forces(at.time, at.q, at.velocity, at.acceleration) for at in (before, after)
+            )
+            out, driven = forces.sum(axis=0), 0.5 * (first + forces).sum(axis=0)[held]
+            self.work += float(forces[0] @ move - driven @ move[held])
         out[held], forces[:, held] = 0.0, 0.0
         self.left, self.force = largest(out), max(self.force, float(np.abs(forces).max()))
+
+    def _forces(self, time: float, q: Array, velocity: Array, acceleration: Array) -> Array:
+        """P, -M a, -C v and -F, (4, size), N: their sum is out of balance, or holds."""
+        equations = self.equations
+        return np.array(
+            [
+                equations.load(time),
+                -equations.mass_times(acceleration),
+                -equations.damping_times(velocity),
+                -equations.internal(q, velocity if equations.feels_velocity else None),
+            ]
+        )
 
     def standing(self) -> Standing:
         return Standing(self.now, None, self.work, self.force, (self.equations.state(),))
