@@ -170,6 +170,16 @@ def test_no_drag_and_a_jump_are_told(tmp_path, capsys):
     assert "Z of end 2 begins 0.5 m from its place: it jumps there in the first step" in told
 
 
+def test_a_line_that_lifts_off_has_no_touchdown_meanwhile(tmp_path):
+    deck = deck_in(tmp_path, "Z 5 8 0 1", end=2, record=0.2)
+    done = run_deck(deck, tmp_path, force=False).motion
+    assert done is not None
+    with open_database(tmp_path / "pipe.dst") as database:
+        touchdown = database.line("L3").read("touchdown_distance")
+    assert touchdown.min() == 0.0
+    assert done.touchdowns["L3"] == pytest.approx((touchdown[touchdown > 0.0].min(), 60.0))
+
+
 def test_damping_is_told_as_that_of_lines(tmp_path, capsys):
     assert main(["check", str(deck_in(tmp_path, LIFT, more="*DAMPING\nBETA=0.01"))]) == 0
     assert "0.01 s of the stiffness of the lines" in " ".join(capsys.readouterr().out.split())
