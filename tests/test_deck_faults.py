@@ -57,6 +57,13 @@ KINDS = {
     "no data": ("*ACCURACY\n1e-4", "*ACCURACY", "*ACCURACY", "*ACCURACY has no data"),
     "no text": ("Pile in two layers\n", "", "*TITLE", "*TITLE has no text"),
     "no line after &": ("*EXEC", "*EXEC &", "&", "& joins the next line, but none follows"),
+    "option with a comma": (
+        "*MODEL ELEMENTS=20",
+        "*MODEL SPATIAL, ELEMENTS=20",
+        "SPATIAL,",
+        "write options after commas: *MODEL, SPATIAL",
+    ),
+    "a value too many, with a comma": ("1e-4", "1e-4 1,5", "1,5", "commas in '1,5'"),
     "option in data": ("*MODEL ELEMENTS=20", "*MODEL LARGE", "LARGE", "LARGE of *MODEL is not"),
     "IKTSO as a curve": ("3 2 3 2\n", "3 2 1e8 0\n", "1e8", "looks like IKTSO"),
     "misspelt end": ("*EXEC", "*EXECUTE", "*EXECUTE", "there is no keyword *EXECUTE"),

@@ -14,7 +14,9 @@ from podeep.line.statics import laid
 from podeep.scene import Damping
 from podeep.seabed.normal import Winkler
 from podeep.solve.conserving import Conserving
-from podeep.solve.integrators import Weighted
+from podeep.solve.integrators import Bathe, CentralDifference, Rosenbrock, Weighted
+from podeep.solve.newton import largest
+from podeep.solve.stage import NoBalance
 
 EA, EI = 5e6, 700.0
 numbers = st.floats(-2.0, 2.0).map(lambda x: round(x, 6))
@@ -212,6 +214,27 @@ def test_large_rotations_keep_their_energy(components):
     assert np.abs(found - begin).max() < 1e-7 * swing
     assert line.reach > 10.0
     assert line.imbalance() < 1e-7
+
+
+@pytest.mark.parametrize(
+    "method", [Rosenbrock(), Bathe(), Weighted.hht(-0.05), Weighted.generalised_alpha(0.8)]
+)
+def test_every_method_follows_the_same_fall(method):
+    one, other = pendulum(), pendulum(method)
+    for line in (one, other):
+        go(line, 0.01, 40)
+    assert largest(one.now.q - one.begin) > 0.5
+    assert other.now.q == pytest.approx(one.now.q, abs=4e-3)
+    assert other.work == pytest.approx(one.work, rel=2e-3)
+    assert other.now.q[other.equations.held] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_a_step_beyond_stability_finds_no_balance():
+    """It is given up before its numbers overflow."""
+    line = pendulum(CentralDifference())
+    with pytest.raises(NoBalance):
+        go(line, 5.0, 5)
+    assert largest(line.now.q) < 1e4
 
 
 def test_the_trapezoidal_rule_does_not():

@@ -98,6 +98,27 @@ def test_a_slow_motion_ends_where_statics_do(tmp_path):
         assert tension == pytest.approx(pulled, abs=0.01 * np.abs(pulled).max())
 
 
+def test_a_line_that_nothing_moves_stands_still(tmp_path):
+    """Rounding is no error of its displacements, and what statics have lost is not lost again."""
+    deck = deck_in(tmp_path, "Z 0.5", more="*QUASISTATIC\n1 L3E2 1", end=1, record=1)
+    run = run_deck(deck, tmp_path, force=False)
+    assert run.motion is not None
+    assert run.warnings() == ()
+    assert run.motion.error < 1e-4
+    assert abs(run.motion.dissipated) < 1e-3  # J
+
+
+def test_a_record_that_jumps_is_balanced_all_the_same(tmp_path):
+    """What an iteration may leave is a share of the way, not of the velocity of a jump."""
+    record = "0 0\n0.5 0\n0.500001 0.05\n1 0.05"
+    moved = deck_in(tmp_path, "{moved}", end=1, record=0.1)
+    text = moved.read_text(encoding="utf-8").replace("3 2\n{moved}", f"3 2 Z\n{record}")
+    moved.write_text(text, encoding="utf-8")
+    run_deck(moved, tmp_path, force=False)
+    with open_database(tmp_path / "pipe.dst") as database:
+        assert database.line("L3").read("convergence/residual").max() < 1e-2
+
+
 @pytest.mark.parametrize("more", ["", "*DYNIMP\n30 0.5 0.25 1"])
 @pytest.mark.parametrize("after", [0, 1])
 def test_an_interrupted_motion_goes_on_to_the_same_bits(tmp_path, monkeypatch, more, after):
@@ -147,6 +168,37 @@ def test_no_drag_and_a_jump_are_told(tmp_path, capsys):
     told = " ".join(capsys.readouterr().out.split())
     assert "CD = 0 in motion: the water takes no energy" in told
     assert "Z of end 2 begins 0.5 m from its place: it jumps there in the first step" in told
+
+
+def test_a_line_that_lifts_off_has_no_touchdown_meanwhile(tmp_path):
+    deck = deck_in(tmp_path, "Z 5 8 0 1", end=2, record=0.2)
+    done = run_deck(deck, tmp_path, force=False).motion
+    assert done is not None
+    with open_database(tmp_path / "pipe.dst") as database:
+        touchdown = database.line("L3").read("touchdown_distance")
+    assert touchdown.min() == 0.0
+    assert done.touchdowns["L3"] == pytest.approx((touchdown[touchdown > 0.0].min(), 60.0))
+
+
+def test_damping_is_told_as_that_of_lines(tmp_path, capsys):
+    assert main(["check", str(deck_in(tmp_path, LIFT, more="*DAMPING\nBETA=0.01"))]) == 0
+    assert "0.01 s of the stiffness of the lines" in " ".join(capsys.readouterr().out.split())
+
+
+@pytest.mark.parametrize(
+    ("moved", "more", "told"),
+    [
+        ("Z 0.5", "*HARMONIC\nL3E2 8 90", "Z of end 2 begins 0.5 m from its place"),
+        ("Z 0.5", "*QUASISTATIC\n1 L3E2 1\n*HARMONIC\nL3E2 8 90", ""),
+        ("Z 0.5", "*TIMESERIES\nL3E2\n0 0\n1 0\n1.001 1", "Z of end 2 moves at up to 500 m/s"),
+        ("Z 0.5 0.2 0 1", "", "DT = 0.1 s with a period of 0.2 s: with fewer than 8 steps"),
+        ("Z 0.5 0.79 0 1", "*DYNIMP\n30 0.5 0.25 1", ""),
+    ],
+)
+def test_what_moves_an_end_too_abruptly_is_told(tmp_path, capsys, moved, more, told):
+    assert main(["check", str(deck_in(tmp_path, moved, more=more))]) == 0
+    shown = " ".join(capsys.readouterr().out.split())
+    assert told in shown if told else "risky" not in shown
 
 
 def test_a_line_moves_beside_a_pile(tmp_path):

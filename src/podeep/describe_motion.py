@@ -52,9 +52,11 @@ def motion_lines(scene: Scene) -> Iterator[str]:
             f"{short(start.value)} {unit} with {short(start.velocity)} {unit}/s"
         )
     if scene.damping is not None:
+        whose = ["tubes"] * bool(scene.foundations) + ["lines"] * bool(scene.lines)
         yield (
             f"damping {short(scene.damping.mass_factor)} 1/s of the mass and "
-            f"{short(scene.damping.stiffness_factor)} s of the stiffness of the tubes"
+            f"{short(scene.damping.stiffness_factor)} s of the stiffness of the "
+            f"{' and '.join(whose)}"
         )
 
 

@@ -113,10 +113,14 @@ def check_motion(scene: Scene) -> None:
 
 
 def touchdowns(path: Path, names: Sequence[str]) -> dict[str, tuple[float, float]]:
-    """From where to where the touchdown points of lines moved, at the times of a database."""
+    """From where to where the touchdown points of lines moved, at the times of a database.
+
+    Times at which a line touches nowhere (0 in a database) have none.
+    """
     with open_database(path) as database:
         found = {name: database.line(name).read("touchdown_distance") for name in names}
-    return {name: (float(at.min()), float(at.max())) for name, at in found.items() if at.any()}
+    touching = {name: at[at > 0.0] for name, at in found.items()}
+    return {name: (float(at.min()), float(at.max())) for name, at in touching.items() if len(at)}
 
 
 def run_motion(

@@ -70,6 +70,8 @@ def read_row(
             values.group_places.append({})
             for column, cell in zip(row.repeated, cells, strict=False):
                 _set(column, cell, values.group[-1], values.group_places[-1], faults)
+        if len(faults.found) == before and not row.repeated:
+            _tell_commas(positional[len(row.positional) :], keyword, faults)
     else:  # the first value still names the thing, for those that refer to it
         quiet = Faults()
         for column, cell in given[:1]:
@@ -163,6 +165,17 @@ def _check_count(
     elif row.repeated and (over <= 0 or over % len(row.repeated)):
         short = row.repeated[max(over, 0) % len(row.repeated) :]
         faults.add(end, f"*{keyword.name} lacks {', '.join(c.name for c in short)}", layout)
+
+
+def _tell_commas(over: Sequence[Field], keyword: Keyword, faults: Faults) -> None:
+    """Tell of values with commas that no column takes: options without their first comma."""
+    for one in over:
+        if "," in one.text:
+            remedy = "separate values by blanks"
+            if keyword.optioned:
+                remedy = f"write options after commas: *{keyword.name}, {one.text.strip(',')}"
+            faults.add(one.place, f"commas in '{one.text}'", remedy)
+            return
 
 
 def after(place: Place) -> Place:

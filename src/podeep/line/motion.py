@@ -1,27 +1,27 @@
 """Lines in motion, followed step by step from the end of statics."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from math import inf
 
 import numpy as np
 
 from ..arrays import Array
-from ..scene import Damping, Dynamics, Harmonic, LineMotion, Scene
+from ..scene import Damping, Dynamics, Line, LineMotion, Scene
 from ..solve.conserving import Conserving
-from ..solve.drive import Change, Drive, drive, harmonic, straight
+from ..solve.drive import Change, change_of, drive
 from ..solve.dynamics import in_parts, integrator
 from ..solve.equations import State
 from ..solve.integrators import Integrator, initial
 from ..solve.mover import Pair, Standing, alike, rows_of, state_from
 from ..solve.newton import largest
-from ..solve.stage import Effort, Patience
+from ..solve.stage import Effort, NoBalance, Patience
 from .analysis import SolvedLine
 from .assemble import LineModel, assemble, section_at
 from .moving import Given, LineInertia, LineMoving
 
 _ROUNDING = 1e-12  # of the length: a move that rounding may leave
-_LEAST = 1e-3  # of the diameter: displacement that counts as one
+_LEAST = 1e-3  # of the diameter: displacement of a line at rest
 
 
 def line_integrator(dynamics: Dynamics) -> Integrator:
@@ -33,8 +33,9 @@ def line_integrator(dynamics: Dynamics) -> Integrator:
 class MovingLine:
     """A line on its way, a `Mover`.
 
-    reach: largest displacement so far or expected, m. begin: unknowns at the start. left: largest
-    force out of balance in the last step, N; force: the largest that acted so far.
+    reach: largest displacement so far or expected, m. least: one that counts as any, m. begin:
+    unknowns at the start. already: what the seabed had lost there, J. left: largest force out of
+    balance in the last step, N; force: the largest that acted so far.
     """
 
     equations: LineMoving
@@ -42,22 +43,24 @@ class MovingLine:
     now: State
     reach: float
     effort: Effort = field(default_factory=Effort)
+    least: float = 0.0
     part: float = np.inf
     work: float = 0.0
     force: float = 0.0
     left: float = 0.0
     begin: Array = field(init=False)
+    already: float = field(init=False)
 
     def __post_init__(self) -> None:
-        self.begin = self.now.q
+        self.begin, self.already = self.now.q, 0.0
+        self.already = self.dissipated()
 
     @property
     def time(self) -> float:
         return self.now.time
 
     def step(self, h: float, end: float, share: float, iterations: int) -> None:
-        way = self.sizes()[0] + h * largest(self.now.velocity)
-        self.reach = max(self.reach, way)
+        self.reach = max(self.reach, self.sizes()[0])
         rounding = _ROUNDING * self.equations.system.unstretched_length
         patience = Patience(max(share * self.reach, rounding), iterations)
         self.part = in_parts(lambda part: self._go(part, patience), h)
@@ -65,29 +68,50 @@ class MovingLine:
 
     def _go(self, h: float, patience: Patience) -> None:
         equations, before = self.equations, self.now
-        after = self.method.step(equations, before, h, patience, self.effort)
+        with np.errstate(over="ignore", invalid="ignore"):  # a step that is too long may run away
+            after = self.method.step(equations, before, h, patience, self.effort)
+        move = np.abs(after.q - before.q)
+        driven = move[equations.held].max(initial=0.0)
+        if not move.max() <= driven + equations.system.length:  # or it is no number
+            raise NoBalance
         self._weigh_up(before, after, h)
         equations.commit(after.q, h)
         self.now = after
 
     def _weigh_up(self, before: State, after: State, h: float) -> None:
-        """What is out of balance in a step, and the work of what drives it."""
-        equations, mean = self.equations, self.equations.mean
-        velocity = (after.q - before.q) / h if mean else after.velocity
-        acceleration = (after.velocity - before.velocity) / h if mean else after.acceleration
-        forces = np.array(
-            [
-                equations.load(after.time),
-                -equations.mass_times(acceleration),
-                -equations.damping_times(velocity),
-                -equations.internal(after.q, velocity if equations.feels_velocity else None),
-            ]
-        )
-        out, held = forces.sum(axis=0), equations.held
-        move = after.q - before.q
-        self.work += float(forces[0] @ move - out[held] @ move[held])
+        """What is out of balance in a step, and the work of what drives it.
+
+        Work is that of forces of the step where the equations have their mean on it; otherwise of
+        the mean of those at both ends.
+        """
+        mean, held, move = self.equations.mean, self.equations.held, after.q - before.q
+        if mean:
+            acceleration = (after.velocity - before.velocity) / h
+            forces = self._forces(after.time, after.q, move / h, acceleration)
+            out = forces.sum(axis=0)
+            # energy of motion follows the mean velocity, which is not the way's where driven
+            slip = 0.5 * h * (before.velocity + after.velocity) - move
+            self.work += float(forces[0] @ move - out[held] @ move[held] - forces[1] @ slip)
+        else:
+            first, forces = (
+                self._forces(at.time, at.q, at.velocity, at.acceleration) for at in (before, after)
+            )
+            out, driven = forces.sum(axis=0), 0.5 * (first + forces).sum(axis=0)[held]
+            self.work += float(forces[0] @ move - driven @ move[held])
         out[held], forces[:, held] = 0.0, 0.0
         self.left, self.force = largest(out), max(self.force, float(np.abs(forces).max()))
+
+    def _forces(self, time: float, q: Array, velocity: Array, acceleration: Array) -> Array:
+        """P, -M a, -C v and -F, (4, size), N: their sum is out of balance, or holds."""
+        equations = self.equations
+        return np.array(
+            [
+                equations.load(time),
+                -equations.mass_times(acceleration),
+                -equations.damping_times(velocity),
+                -equations.internal(q, velocity if equations.feels_velocity else None),
+            ]
+        )
 
     def standing(self) -> Standing:
         return Standing(self.now, None, self.work, self.force, (self.equations.state(),))
@@ -100,14 +124,16 @@ class MovingLine:
         return self.left / self.force if self.force else 0.0
 
     def sizes(self, other: "MovingLine | None" = None) -> tuple[float, float]:
-        return largest(self.now.q - (self.begin if other is None else other.now.q)), 0.0
+        if other is not None:
+            return largest(self.now.q - other.now.q), 0.0
+        return max(largest(self.now.q - self.begin), self.least), 0.0
 
     def lost(self) -> bool:
         return False
 
     def dissipated(self) -> float:
         bed = self.equations.system.bed
-        return 0.0 if bed is None else bed.dissipated
+        return 0.0 if bed is None else bed.dissipated - self.already
 
     def pair(self) -> Pair:
         bed = self.equations.system.bed
@@ -165,7 +191,7 @@ class LineReady:
         )
         effort = Effort()
         now = initial(equations, dynamics.start, q, np.zeros_like(q), effort)
-        return MovingLine(equations, method, now, float(self.sizes[0]), effort)
+        return MovingLine(equations, method, now, float(self.sizes[0]), effort, least_move(line))
 
     def period(self, scene: Scene) -> float:
         """As `Ready.period`: what moves its ends alone is what steps are to see."""
@@ -181,9 +207,13 @@ def line_ready(scene: Scene, solved: SolvedLine) -> LineReady:
     bed = solved.model.system.bed
     motions = [one for one in scene.line_motions if one.line == solved.line.id]
     most = max([largest_move(one) for one in motions], default=0.0)
-    least = _LEAST * max(section.outer_diameter for section in solved.line.sections)
     memory = {} if bed is None else bed.state()
-    return LineReady(solved, memory, np.array([max(most, least), 0.0]))
+    return LineReady(solved, memory, np.array([max(most, least_move(solved.line)), 0.0]))
+
+
+def least_move(line: Line) -> float:
+    """Displacement below which a line is at rest, m: errors are a share of no less."""
+    return _LEAST * max(section.outer_diameter for section in line.sections)
 
 
 def largest_move(motion: LineMotion) -> float:
@@ -218,25 +248,3 @@ def driven(scene: Scene, dynamics: Dynamics, model: LineModel, q: Array) -> Give
         return found[0], found[1], found[2]
 
     return given
-
-
-def change_of(
-    motion: LineMotion, factors: Drive, names: Sequence[str], start: float
-) -> Callable[[float], Change]:
-    """How far a motion has moved its end since the end of statics, m, and how fast."""
-    place = names.index(motion.name) if motion.name in names else None
-    waves = [(w.amplitude, Harmonic("", w.period, w.phase, w.ramp)) for w in motion.waves]
-
-    def change(time: float) -> Change:
-        found = np.zeros(3)
-        if place is not None:
-            value, rate, second = (each[place] for each in factors(time))
-            found += motion.target * np.array((value - factors.still[place], rate, second))
-        for amplitude, wave in waves:
-            found += amplitude * np.array(harmonic(wave, time, start))
-        if motion.times:
-            found += straight(motion.times, motion.values, time)
-        value, rate, second = found.tolist()
-        return value, rate, second
-
-    return change

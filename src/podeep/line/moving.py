@@ -163,6 +163,8 @@ class LineMoving:
 
     def solve(self, right: Array) -> Array | None:
         lower, upper = self._kept or self._whole()
+        right = right.copy()
+        right[self.held] = 0.0
         below = len(lower) - 1
         _, _, x, info = lapack.dgbsv(
             below, below, general_band(lower, upper), right, overwrite_ab=1

@@ -1,17 +1,22 @@
 """Lines on the seabed that are legal but risky."""
 
 from collections.abc import Iterator
-from math import pi, sin
+from math import pi
 
 import numpy as np
 
-from ..scene import Line, Scene, SeabedContact
+from ..scene import TRANSLATIONS, Line, LineMotion, Scene, SeabedContact
+from ..solve.drive import change_of, drive
+from ..solve.plan import steps_in
 from ..units import short
 from .ranges import CONTACT_SLIPS, SLIPS
 from .risk import Risk, Value, rounded, slips, wall_slips, written
+from .site import EDGE
 
 _TAUT = 0.002  # strain at which steel of X65 is near its yield
 _JUMP = 0.01  # of the diameter: jump of an end that matters
+_FASTEST = 20.0  # m/s, of what moves an end
+_FEWEST = 8  # steps in a period
 
 
 def line_risks(scene: Scene, id_: int) -> Iterator[Risk]:
@@ -35,31 +40,54 @@ def line_risks(scene: Scene, id_: int) -> Iterator[Risk]:
 
 
 def _motion(scene: Scene, line: Line, subject: str) -> Iterator[Risk]:
-    """A line that moves without drag, and ends that do not begin where statics has left them."""
-    if scene.dynamics is None:
+    """A line that moves without drag; ends that jump, or move too fast or too finely for DT."""
+    dynamics = scene.dynamics
+    if dynamics is None:
         return
-    start = scene.dynamics.start
     if all(section.drag_coefficient == 0.0 for section in line.sections):
         numbers, rule = (
             "CD = 0 in motion",
             "the water takes no energy: what swings goes on swinging",
         )
         yield Risk(subject, "drag", numbers, rule, "give CD, about 1 for a bare pipe")
+    factors, names = drive(scene, dynamics.start), scene.steps.names
+    width = max(section.outer_diameter for section in line.sections)
     for moved in scene.line_motions:
-        if moved.line != line.id:
+        if moved.line != line.id or moved.dof not in TRANSLATIONS:
             continue
-        jump = sum(
-            wave.amplitude * sin(2.0 * pi * start / wave.period + wave.phase)
-            for wave in moved.waves
-            if not wave.ramp
-        )
-        if moved.times:
-            jump += float(np.interp(start, moved.times, moved.values))
-        if abs(jump) > _JUMP * max(section.outer_diameter for section in line.sections):
-            numbers = f"{moved.dof} of end {moved.end} begins {rounded(jump, 'm')} from its place"
+        which = f"{moved.dof} of end {moved.end}"
+        jump = change_of(moved, factors, names, dynamics.start)(dynamics.start)[0]
+        if abs(jump) > _JUMP * width:
+            numbers = f"{which} begins {rounded(jump, 'm')} from its place"
             rule = "it jumps there in the first step, which shakes the line"
             remedy = "give the wave a RAMP, or begin the record at 0"
             yield Risk(subject, f"jump of {moved.dof}{moved.end}", numbers, rule, remedy)
+        periods, speed = _course(scene, moved)
+        if speed > _FASTEST:
+            numbers = f"{which} moves at up to {rounded(speed, 'm/s')}"
+            rule = f"above {_FASTEST:g} m/s it is as a rule a slip of units, or a record that jumps"
+            remedy = "check amplitudes and periods, and the times of the record"
+            yield Risk(subject, f"speed of {moved.dof}{moved.end}", numbers, rule, remedy)
+        if periods and dynamics.step is not None and not dynamics.adaptive:
+            whole = dynamics.end - dynamics.start
+            step = whole / steps_in(whole, dynamics.step, dynamics.recording)
+            if step > min(periods) / _FEWEST * (1.0 + EDGE):
+                numbers = f"DT = {short(dynamics.step)} s with a period of {short(min(periods))} s"
+                rule = f"with fewer than {_FEWEST} steps in it a wave is not what was asked for"
+                remedy = f"give DT of {rounded(min(periods) / 20.0, 's')}, or leave it out"
+                yield Risk(subject, f"step of {moved.dof}{moved.end}", numbers, rule, remedy)
+
+
+def _course(scene: Scene, moved: LineMotion) -> tuple[list[float], float]:
+    """Periods, s, of all that moves an end, and the largest speed it can come to, m/s."""
+    called = [(h.period, moved.target) for h in scene.harmonics if h.name == moved.name]
+    waves = [(wave.period, wave.amplitude) for wave in moved.waves] + called
+    speed = sum(2.0 * pi / period * abs(amplitude) for period, amplitude in waves)
+    records = [(moved.times, 1.0, moved.values)]
+    records += [(s.times, moved.target, s.factors) for s in scene.series if s.name == moved.name]
+    for times, size, values in records:
+        speed += float(np.max(np.abs(size * np.diff(values) / np.diff(times)), initial=0.0))
+    return [period for period, _ in waves], speed
 
 
 def _taut(line: Line, subject: str) -> Iterator[Risk]:

@@ -1,14 +1,14 @@
 """What drives a motion: the factors of the named loads in time, and how fast they change."""
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import cos, pi, sin
 
 import numpy as np
 
 from ..arrays import Array
-from ..scene import Harmonic, Scene, TimeSeries
+from ..scene import Harmonic, LineMotion, Scene, TimeSeries
 
 Change = tuple[float, float, float]  # a value, its first and its second derivative in time
 
@@ -65,3 +65,25 @@ def straight(times: Sequence[float], values: Sequence[float], time: float) -> Ch
         return values[min(after, len(times) - 1)], 0.0, 0.0
     slope = (values[after] - values[after - 1]) / (times[after] - times[after - 1])
     return values[after - 1] + slope * (time - times[after - 1]), slope, 0.0
+
+
+def change_of(
+    motion: LineMotion, factors: Drive, names: Sequence[str], start: float
+) -> Callable[[float], Change]:
+    """How far a motion has moved its end since the end of statics, m, and how fast."""
+    place = names.index(motion.name) if motion.name in names else None
+    waves = [(w.amplitude, Harmonic("", w.period, w.phase, w.ramp)) for w in motion.waves]
+
+    def change(time: float) -> Change:
+        found = np.zeros(3)
+        if place is not None:
+            value, rate, second = (each[place] for each in factors(time))
+            found += motion.target * np.array((value - factors.still[place], rate, second))
+        for amplitude, wave in waves:
+            found += amplitude * np.array(harmonic(wave, time, start))
+        if motion.times:
+            found += straight(motion.times, motion.values, time)
+        value, rate, second = found.tolist()
+        return value, rate, second
+
+    return change
