@@ -60,7 +60,8 @@ class MotionRun:
         mean = self.iterations / max(self.steps, 1)
         lost = f"    the soil has dissipated {self.dissipated:.4g} J\n" if self.dissipated else ""
         touched = "".join(
-            f"    the touchdown point of {name} moves between {low:.2f} and {high:.2f} m\n"
+            f"    the touchdown point of {name} moves between {low:.2f} and {high:.2f} m "
+            "(times written)\n"
             for name, (low, high) in self.touchdowns.items()
         )
         method = "    followed by METHOD=CONSERVE: tubes have room to knock\n" if self.keeps else ""
