@@ -40,7 +40,7 @@ def moving_line(
         before, now, after = (path(time + step) for step in (-d, 0.0, d))
         return now, (after - before) / (2.0 * d), (after - 2.0 * now + before) / d**2
 
-    mean = isinstance(method, Conserving)
+    mean = method.mean
     inertia = LineInertia(mass * every, added * every, drag * every)
     equations = LineMoving(system, inertia, given, damping, q, mean=mean)
     if system.bed is not None:

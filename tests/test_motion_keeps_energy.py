@@ -8,7 +8,7 @@ import pytest
 from knocking import begun_knocking, energies, knocked, knocking
 from moving_piles import elastic_pile, head_of, motion_of, start_of, swaying_pile
 from podeep.beam.band import dense
-from podeep.motion import Dynamics, Harmonic, Start
+from podeep.motion import Dynamics, Harmonic, Hysteresis, Start
 from podeep.scene import Load, Scene, Sliding
 from podeep.solve.adaptive import Adaptive
 from podeep.solve.conserving import Conserving
@@ -85,21 +85,11 @@ def test_on_linear_soil_it_is_the_trapezoidal_rule() -> None:
     assert ours == pytest.approx(other, abs=1e-11)
 
 
-def test_what_soil_that_remembers_loses() -> None:
-    """As with steps a fifth as long, to 1 %."""
-    scene = swaying_pile(4e6, end=2.0, step=0.05, hysteresis="GAP")
-    one, lost = start_of(scene), []
-    for h in (0.05, 0.01):
-        motion = motion_of(scene, one)
-        head_of(motion, CONSERVE, h, round(2.0 / h))
-        lost.append(motion.body.lateral.dissipated())
-    assert lost[0] == pytest.approx(lost[1], rel=1e-2)
-
-
-def test_soil_that_remembers_in_two_planes() -> None:
-    """Its loss, to 1 % of that with steps a fifth as long."""
-    scene = swaying_pile(4e6, end=2.0, step=0.05, hysteresis="MASING")
-    scene = replace(scene, numerics=replace(scene.numerics, components=2))
+@pytest.mark.parametrize(("hysteresis", "components"), [("GAP", None), ("MASING", 2)])
+def test_what_soil_that_remembers_loses(hysteresis: Hysteresis, components: int | None) -> None:
+    """As with steps a fifth as long, to 1 %; in one plane and in two."""
+    scene = swaying_pile(4e6, end=2.0, step=0.05, hysteresis=hysteresis)
+    scene = replace(scene, numerics=replace(scene.numerics, components=components))
     one, lost = start_of(scene), []
     for h in (0.05, 0.01):
         motion = motion_of(scene, one)
@@ -121,7 +111,7 @@ def test_it_is_of_second_order_on_a_pile() -> None:
         for m, n in ((NEWMARK, 1280), (CONSERVE, 40), (CONSERVE, 80), (CONSERVE, 160))
     ]
     errors = np.abs(np.array(ends[1:]) - ends[0])
-    assert errors[0] / errors[2] == pytest.approx(16.0, rel=0.5)
+    assert errors[:-1] / errors[1:] == pytest.approx(4.0, rel=0.1)
 
 
 def test_a_normal_force_that_changes_is_met_halfway() -> None:

@@ -8,7 +8,6 @@ import numpy as np
 
 from ..arrays import Array
 from ..scene import Damping, Dynamics, Line, LineMotion, Scene
-from ..solve.conserving import Conserving
 from ..solve.drive import Change, change_of, drive
 from ..solve.dynamics import in_parts, integrator
 from ..solve.equations import State
@@ -26,7 +25,7 @@ _LEAST = 1e-3  # of the diameter: displacement of a line at rest
 
 def line_integrator(dynamics: Dynamics) -> Integrator:
     """The method that a scene asks for; by default the one that keeps the energy of contact."""
-    return Conserving() if dynamics.method is None else integrator(dynamics)
+    return integrator(dynamics, "CONSERVE")
 
 
 @dataclass(slots=True)
@@ -187,7 +186,7 @@ class LineReady:
             driven(scene, dynamics, model, q),
             scene.damping or Damping(),
             q,
-            mean=isinstance(method, Conserving),
+            mean=method.mean,
         )
         effort = Effort()
         now = initial(equations, dynamics.start, q, np.zeros_like(q), effort)
